@@ -1,0 +1,140 @@
+#include "pipeline/base/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "pipeline/base/error.h"
+
+namespace inkbench {
+namespace {
+
+std::string reason(int error_number) {
+  switch (error_number) {
+    case ENOSPC:
+    case EDQUOT:
+      return "the disk is full; free some space or choose another folder";
+    case EFBIG:
+      return "the file would exceed the allowed file size; raise the limit or choose a smaller image";
+    case EACCES:
+    case EPERM:
+      return "permission denied; choose a folder you may write to";
+    case EROFS:
+      return "the file system is read-only; choose another folder";
+    default:
+      return std::strerror(error_number);
+  }
+}
+
+/// A file under a temporary name that disappears unless it is committed.
+class PendingFile {
+ public:
+  explicit PendingFile(const fs::path& path) : path_(path) {
+    static std::atomic<unsigned> counter = 0;
+    temporary_ = path;
+    temporary_ += ".part" + std::to_string(getpid()) + "-" + std::to_string(counter++);
+    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) throw work_error(path.string(), "cannot be written", reason(errno));
+  }
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  ~PendingFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+    if (!committed_) unlink(temporary_.c_str());
+  }
+
+  void append(std::span<const uint8_t> data) {
+    while (!data.empty()) {
+      const ssize_t written = write(descriptor_, data.data(), data.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) throw work_error(path_.string(), "writing stopped", reason(errno));
+      data = data.subspan(static_cast<size_t>(written));
+    }
+  }
+
+  void commit() {
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (close(descriptor) != 0) throw work_error(path_.string(), "writing stopped", reason(errno));
+    if (rename(temporary_.c_str(), path_.c_str()) != 0) {
+      throw work_error(path_.string(), "cannot be written", reason(errno));
+    }
+    committed_ = true;
+  }
+
+ private:
+  fs::path path_;
+  fs::path temporary_;
+  int descriptor_ = -1;
+  bool committed_ = false;
+};
+
+std::vector<fs::path> project_roots() {
+  std::vector<fs::path> roots;
+  if (const char* root = std::getenv("INKBENCH_ROOT"); root != nullptr && *root != '\0') roots.emplace_back(root);
+  std::error_code error;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
+  if (!error) roots.push_back(executable.parent_path());
+  roots.emplace_back(INKBENCH_SOURCE_DIR);
+  return roots;
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw input_error(path.string(), "no such file");
+  if (fs::is_directory(status)) throw input_error(path.string(), "is a folder", "a file is needed");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw input_error(path.string(), "cannot be opened", reason(errno));
+  std::ostringstream content;
+  content << stream.rdbuf();
+  if (stream.bad()) throw work_error(path.string(), "reading stopped", reason(errno));
+  return std::move(content).str();
+}
+
+void write_file_atomically(const fs::path& path, const std::function<void(const FileSink&)>& produce) {
+  if (path.has_parent_path()) make_folder(path.parent_path());
+  PendingFile file(path);
+  produce([&](std::span<const uint8_t> data) { file.append(data); });
+  file.commit();
+}
+
+void write_file_atomically(const fs::path& path, std::string_view content) {
+  write_file_atomically(path, [&](const FileSink& sink) {
+    sink({reinterpret_cast<const uint8_t*>(content.data()), content.size()});
+  });
+}
+
+void make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (fs::is_directory(path)) return;
+  const int number = error ? error.value() : ENOTDIR;
+  throw work_error(path.string(), "this folder cannot be made", reason(number));
+}
+
+fs::path project_root() {
+  for (const fs::path& root : project_roots()) {
+    if (fs::is_directory(root / "shaders") && fs::is_directory(root / "data")) return root;
+  }
+  std::string looked_in;
+  for (const fs::path& root : project_roots()) looked_in += " " + root.string();
+  throw work_error("", "the folders shaders/ and data/ were not found in:" + looked_in,
+                   "set INKBENCH_ROOT to the folder that holds them");
+}
+
+fs::path project_file(std::string_view relative) {
+  return project_root() / relative;
+}
+
+}  // namespace inkbench

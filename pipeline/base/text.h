@@ -1,0 +1,31 @@
+// Small text helpers: numbers that read back exactly, joined lists, the nearest name for a misspelt one.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace inkbench {
+
+/// The shortest decimal text that reads back as the same number ("0.003", "1e-06").
+std::string shortest(float value);
+std::string shortest(double value);
+
+/// A count with thousands separated: 69666 -> "69,666".
+std::string with_commas(long long count);
+
+/// Bytes for people: "3.1 MB", "812 kB".
+std::string readable_bytes(double bytes);
+
+std::string join(std::span<const std::string> parts, std::string_view separator);
+std::vector<std::string> split(std::string_view text, char separator);
+std::string_view trim(std::string_view text);
+
+/// The candidate with the smallest edit distance to `name`, or "" where none is near enough to be meant.
+std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
+
+/// "did you mean 'X'?" for the nearest candidate, else "one of: A, B, ..." when there are few, else "".
+std::string suggest(std::string_view name, std::span<const std::string> candidates);
+
+}  // namespace inkbench

@@ -1,0 +1,55 @@
+// Images to and from files through OpenImageIO, which stays behind image_file.cpp. Every file is written whole or
+// not at all, and carries `text` entries (parameters, version) in its metadata.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+
+#include "pipeline/image/image.h"
+
+namespace inkbench {
+
+/// Metadata entries by name, written as PNG text chunks (UTF-8) or EXR string attributes.
+using ImageText = std::map<std::string, std::string>;
+
+/// 8-bit PNG with 1, 3 or 4 channels. The same picture and text give the same bytes. Errors (work): as
+/// `write_file_atomically`.
+void write_png(const std::filesystem::path& path, const Picture& picture, const ImageText& text);
+
+/// 32-bit float EXR (ZIP compressed) with 1 (Y), 3 (R, G, B) or 4 channels; values are stored as they are, NaN and
+/// infinities included.
+void write_exr(const std::filesystem::path& path, const Image& image, const ImageText& text);
+
+/// A PNG written a strip of rows at a time, for pictures too large to hold. Nothing stands under `path` until `finish`.
+class PngStripWriter {
+ public:
+  PngStripWriter(const std::filesystem::path& path, int width_px, int height_px, int channels, const ImageText& text);
+  PngStripWriter(const PngStripWriter&) = delete;
+  PngStripWriter& operator=(const PngStripWriter&) = delete;
+  ~PngStripWriter();  ///< Without `finish`, leaves no file.
+
+  /// The next `strip.height_px` rows; the width and channels must be the picture's. Errors (work): full disk.
+  void write(const Picture& strip);
+  /// Errors (work): full disk. All rows must have been written.
+  void finish();
+
+ private:
+  struct State;
+  State* state_;
+};
+
+/// Reads any image file as 8-bit with `channels` channels (1, 3 or 4; grey is spread, alpha dropped or set opaque).
+/// Errors (input): missing, empty, not an image, cut off in the middle.
+Picture read_picture(const std::filesystem::path& path, int channels);
+
+/// Reads any image file as floats, with the file's own channels. Errors as `read_picture`.
+Image read_image(const std::filesystem::path& path);
+
+/// The metadata entry `name`; "" where the image has none. Errors as `read_picture`.
+std::string read_image_text(const std::filesystem::path& path, const std::string& name);
+
+}  // namespace inkbench
