@@ -34,49 +34,6 @@ std::string reason(int error_number) {
   }
 }
 
-/// A file under a temporary name that disappears unless it is committed.
-class PendingFile {
- public:
-  explicit PendingFile(const fs::path& path) : path_(path) {
-    static std::atomic<unsigned> counter = 0;
-    temporary_ = path;
-    temporary_ += ".part" + std::to_string(getpid()) + "-" + std::to_string(counter++);
-    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) throw work_error(path.string(), "cannot be written", reason(errno));
-  }
-  PendingFile(const PendingFile&) = delete;
-  PendingFile& operator=(const PendingFile&) = delete;
-  ~PendingFile() {
-    if (descriptor_ >= 0) close(descriptor_);
-    if (!committed_) unlink(temporary_.c_str());
-  }
-
-  void append(std::span<const uint8_t> data) {
-    while (!data.empty()) {
-      const ssize_t written = write(descriptor_, data.data(), data.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) throw work_error(path_.string(), "writing stopped", reason(errno));
-      data = data.subspan(static_cast<size_t>(written));
-    }
-  }
-
-  void commit() {
-    const int descriptor = descriptor_;
-    descriptor_ = -1;
-    if (close(descriptor) != 0) throw work_error(path_.string(), "writing stopped", reason(errno));
-    if (rename(temporary_.c_str(), path_.c_str()) != 0) {
-      throw work_error(path_.string(), "cannot be written", reason(errno));
-    }
-    committed_ = true;
-  }
-
- private:
-  fs::path path_;
-  fs::path temporary_;
-  int descriptor_ = -1;
-  bool committed_ = false;
-};
-
 std::vector<fs::path> project_roots() {
   std::vector<fs::path> roots;
   if (const char* root = std::getenv("INKBENCH_ROOT"); root != nullptr && *root != '\0') roots.emplace_back(root);
@@ -100,6 +57,38 @@ std::string read_file(const fs::path& path) {
   content << stream.rdbuf();
   if (stream.bad()) throw work_error(path.string(), "reading stopped", reason(errno));
   return std::move(content).str();
+}
+
+PendingFile::PendingFile(const fs::path& path) : path_(path) {
+  static std::atomic<unsigned> counter = 0;
+  temporary_ = path;
+  temporary_ += ".part" + std::to_string(getpid()) + "-" + std::to_string(counter++);
+  descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw work_error(path.string(), "cannot be written", reason(errno));
+}
+
+PendingFile::~PendingFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!committed_) unlink(temporary_.c_str());
+}
+
+void PendingFile::append(std::span<const uint8_t> data) {
+  while (!data.empty()) {
+    const ssize_t written = write(descriptor_, data.data(), data.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw work_error(path_.string(), "writing stopped", reason(errno));
+    data = data.subspan(static_cast<size_t>(written));
+  }
+}
+
+void PendingFile::commit() {
+  const int descriptor = descriptor_;
+  descriptor_ = -1;
+  if (close(descriptor) != 0) throw work_error(path_.string(), "writing stopped", reason(errno));
+  if (rename(temporary_.c_str(), path_.c_str()) != 0) {
+    throw work_error(path_.string(), "cannot be written", reason(errno));
+  }
+  committed_ = true;
 }
 
 void write_file_atomically(const fs::path& path, const std::function<void(const FileSink&)>& produce) {

@@ -24,6 +24,25 @@ void write_file_atomically(const fs::path& path, std::string_view content);
 using FileSink = std::function<void(std::span<const uint8_t>)>;
 void write_file_atomically(const fs::path& path, const std::function<void(const FileSink&)>& produce);
 
+/// A file under a temporary name beside `path` that takes its name at `commit` and otherwise disappears. For writers
+/// that outlive one call; `write_file_atomically` is simpler. All errors are of kind work.
+class PendingFile {
+ public:
+  explicit PendingFile(const fs::path& path);
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  ~PendingFile();
+
+  void append(std::span<const uint8_t> data);
+  void commit();
+
+ private:
+  fs::path path_;
+  fs::path temporary_;
+  int descriptor_ = -1;
+  bool committed_ = false;
+};
+
 /// Makes the folder and its parents. Errors (work): says why it cannot be made or written to.
 void make_folder(const fs::path& path);
 

@@ -7,9 +7,9 @@
 namespace inkbench {
 namespace {
 
-constexpr unsigned __int128 kPrime = (static_cast<unsigned __int128>(0x0000000001000000ULL) << 64) | 0x13bULL;
+constexpr Uint128 kPrime = (static_cast<Uint128>(0x0000000001000000ULL) << 64) | 0x13bULL;
 
-unsigned __int128 fold(unsigned __int128 state, std::span<const uint8_t> bytes) {
+Uint128 fold(Uint128 state, std::span<const uint8_t> bytes) {
   // Eight bytes a step: FNV's mixing per word is enough here and keeps million-face meshes cheap.
   while (bytes.size() >= 8) {
     uint64_t word = 0;

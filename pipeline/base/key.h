@@ -18,6 +18,8 @@ struct Key {
   std::string text() const;
 };
 
+__extension__ using Uint128 = unsigned __int128;
+
 /// Folds parts into a key. Each part is length-prefixed, so ("ab", "c") and ("a", "bc") differ.
 class KeyBuilder {
  public:
@@ -27,7 +29,7 @@ class KeyBuilder {
   Key key() const;
 
  private:
-  unsigned __int128 state_ = (static_cast<unsigned __int128>(0x6c62272e07bb0142ULL) << 64) | 0x62b821756295c58dULL;
+  Uint128 state_ = (static_cast<Uint128>(0x6c62272e07bb0142ULL) << 64) | 0x62b821756295c58dULL;
 };
 
 }  // namespace inkbench

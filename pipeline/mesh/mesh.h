@@ -10,10 +10,11 @@
 namespace inkbench {
 
 struct Mesh {
-  std::vector<glm::vec3> positions;                ///< V points, in the mesh's own units, all finite.
-  std::vector<glm::vec3> normals;                  ///< V unit vectors, one for each point.
-  std::vector<std::array<uint32_t, 3>> triangles;  ///< F triples of indices below V, counter-clockwise from outside.
-  std::vector<std::string> notes;                  ///< What the loader dropped or computed, one sentence each.
+  std::vector<glm::vec3> positions;  ///< V points, in the mesh's own units, all finite.
+  std::vector<glm::vec3> normals;    ///< V unit vectors, one for each point.
+  std::vector<std::array<uint32_t, 3>>
+      triangles;                   ///< F triples of indices below V, counter-clockwise from outside.
+  std::vector<std::string> notes;  ///< What the loader dropped or computed, one sentence each.
 };
 
 struct Bounds {
@@ -21,7 +22,7 @@ struct Bounds {
   glm::vec3 high{0.0F};
 };
 
-/// The axis-aligned box around the points that triangles use.
+/// The axis-aligned box around the points that triangles use; without triangles, the origin.
 Bounds bounds_of(const Mesh& mesh);
 
 }  // namespace inkbench

@@ -1,5 +1,6 @@
-// Mesh files to meshes: OBJ, PLY, OFF and STL through OpenMesh's readers. In: a path. Out: a drawable mesh with
-// unit normals and notes on every defect. OpenMesh stays behind mesh_file.cpp.
+// Mesh files to meshes: OBJ, PLY, OFF and STL through OpenMesh's readers. In: a path. Out: a drawable mesh
+// with unit normals and notes on every defect. The way: raw bytes -> plain form (mesh_source) -> OpenMesh in
+// a child process (mesh_reader, isolated_call) -> polygon soup -> mesh.
 #pragma once
 
 #include <filesystem>
@@ -9,19 +10,20 @@
 
 namespace inkbench {
 
-/// Reads a mesh and keeps all that can be drawn. Normals come from the file where it has one for each vertex,
-/// else they are computed (`smooth_normals`). Faces that cannot be drawn (NaN or infinite corner, index out of
-/// range, zero area) are dropped and counted in `notes`; so are isolated vertices; non-manifold edges are drawn and noted.
-/// Errors (input): missing, empty, truncated, not of the format its name says, unknown format, or no face left,
-/// each with the file's name, what was found and what would be right.
+/// Reads a mesh and keeps all that can be drawn. Normals come from the file where it has exactly one for each
+/// vertex, else they are computed (`smooth_normals`). Polygons become triangles; STL corners at one place
+/// become one vertex. Faces that cannot be drawn (NaN or infinite corner, index out of range, zero area) are
+/// dropped and counted in `notes`; so are isolated vertices; non-manifold edges are drawn and noted. Errors
+/// (input): missing, empty, truncated, not of the format its name says, unknown format, or no face left, each
+/// with the file's name (and line), what was found and what would be right.
 Mesh load_mesh_file(const std::filesystem::path& path);
 
 /// Where the rabbit lies: $INKBENCH_RABBIT, else bunny.obj of Debian's package glmark2-data.
 /// Errors (input): which package to install and which variable to set.
 std::filesystem::path find_rabbit();
 
-/// Replaces the normals by the angle-weighted average of the adjacent face normals (Thuermer and Wuethrich 1998);
-/// a vertex without a usable face gets +y.
+/// Replaces the normals by the angle-weighted average of the adjacent face normals (Thuermer and Wuethrich
+/// 1998); a vertex without a usable face gets +y.
 void smooth_normals(Mesh& mesh);
 
 }  // namespace inkbench

@@ -1,0 +1,17 @@
+// The subcommands of `inkbench`: each declares its options and help, and runs after parsing. One command, one file.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace inkbench {
+
+/// What a command that reported its own failure leaves for main: 0 unless set.
+int& exit_status();
+
+void add_render_command(CLI::App& app);
+void add_study_command(CLI::App& app);
+void add_params_command(CLI::App& app);
+void add_info_command(CLI::App& app);
+
+}  // namespace inkbench

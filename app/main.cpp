@@ -1,0 +1,54 @@
+// The command line: parses, runs one subcommand, and turns errors into one message and an exit status
+// (0; 1 the work failed; 2 bad usage or bad input).
+#include <csignal>
+#include <cstdio>
+#include <new>
+
+#include "app/commands.h"
+#include "pipeline/base/error.h"
+
+namespace {
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "inkbench: error: %s\n", message.c_str());
+  return status;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("inkbench: a workbench for tuning and evaluating cartoon line rendering", "inkbench");
+  app.set_version_flag("--version", "inkbench " INKBENCH_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  app.footer("Example:\n  inkbench render --set combine.k_depth=0.001 --buffers final,combined_edges --out out/first\n\n"
+             "`inkbench COMMAND --help` explains a command.");
+  inkbench::add_render_command(app);
+  inkbench::add_study_command(app);
+  inkbench::add_params_command(app);
+  inkbench::add_info_command(app);
+  try {
+    app.parse(argc, argv);
+    return inkbench::exit_status();
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    std::string text = error.what();
+    if (error.get_name() == "RequiredError" && app.get_subcommands().empty()) text = "which command? render, study, params or info";
+    return fail(text + "; `inkbench --help` shows how it is used", 2);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a write past the file size limit is an error that we report, not a death
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run(argc, argv);
+  } catch (const inkbench::Error& error) {
+    return fail(error.what(), error.kind() == inkbench::ErrorKind::input ? 2 : 1);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory; choose a smaller image or mesh", 1);
+  } catch (const std::exception& error) {
+    return fail(error.what(), 1);
+  }
+}

@@ -1,0 +1,51 @@
+#include "app/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace inkbench {
+namespace {
+
+constexpr double kQuietSeconds = 10.0;
+constexpr double kTerminalSeconds = 0.1;
+
+std::string duration_text(double seconds) {
+  const long whole = std::lround(std::ceil(seconds));
+  if (whole < 100) return fmt::format("{} s", whole);
+  if (whole < 6000) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace
+
+std::string progress_text(const StudyProgress& progress) {
+  std::string text = fmt::format("{} / {} cells", progress.done, progress.total);
+  if (progress.failed > 0) text += fmt::format(", {} failed", progress.failed);
+  const size_t tried = progress.drawn + progress.failed;
+  if (tried == 0 || progress.seconds <= 0) return text;
+  const double rate = static_cast<double>(tried) / progress.seconds;
+  text += fmt::format(", {:.1f} a second", rate);
+  const size_t left = progress.total - progress.done - progress.failed;
+  if (left > 0) text += ", " + duration_text(static_cast<double>(left) / rate) + " left";
+  return text;
+}
+
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1), next_seconds_(terminal_ ? 0.0 : kQuietSeconds) {}
+
+void ProgressLine::show(const StudyProgress& progress) {
+  if (progress.seconds < next_seconds_) return;
+  next_seconds_ = progress.seconds + (terminal_ ? kTerminalSeconds : kQuietSeconds);
+  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", progress_text(progress), terminal_ ? "" : "\n");
+  std::fflush(stderr);
+  open_ = terminal_;
+}
+
+void ProgressLine::finish(const StudyProgress& progress) {
+  fmt::print(stderr, "{}{}\n", open_ ? "\r\033[K" : "", progress_text(progress));
+  open_ = false;
+}
+
+}  // namespace inkbench

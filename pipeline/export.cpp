@@ -1,0 +1,48 @@
+#include "pipeline/export.h"
+
+#include "pipeline/base/error.h"
+#include "pipeline/scene/settings_file.h"
+
+namespace inkbench {
+namespace {
+
+constexpr const char* kVersionEntry = "inkbench:version";
+constexpr const char* kBufferEntry = "inkbench:buffer";
+constexpr const char* kSettingsEntry = "inkbench:settings";
+
+}  // namespace
+
+ImageText export_text(const Settings& settings, BufferName buffer) {
+  return {{"Software", "inkbench " INKBENCH_VERSION},
+          {kVersionEntry, INKBENCH_VERSION},
+          {kBufferEntry, std::string(name_of(buffer))},
+          {kSettingsEntry, settings_text(settings)}};
+}
+
+std::filesystem::path export_buffer(Pipeline& pipeline, const Settings& settings, BufferName buffer,
+                                    const std::filesystem::path& folder, ExportFormat format) {
+  std::filesystem::path path = folder / name_of(buffer);
+  if (format == ExportFormat::png) {
+    path += ".png";
+    write_png(path, pipeline.picture(settings, buffer), export_text(settings, buffer));
+  } else {
+    path += ".exr";
+    write_exr(path, pipeline.raw(settings, buffer), export_text(settings, buffer));
+  }
+  return path;
+}
+
+ImageOrigin read_origin(const std::filesystem::path& image) {
+  const std::string settings = read_image_text(image, kSettingsEntry);
+  if (settings.empty()) {
+    throw input_error(image.string(), "carries no parameters in its metadata",
+                      "give an image that `inkbench render` or a study's cells/ folder holds");
+  }
+  ImageOrigin origin;
+  origin.settings = parse_settings(settings, image.string() + " (metadata)", "/");
+  origin.buffer = parse_buffers({read_image_text(image, kBufferEntry)}, image.string() + " (metadata)").front();
+  origin.version = read_image_text(image, kVersionEntry);
+  return origin;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,26 @@
+// Where a pass draws: a framebuffer over textures, bound for as long as the object lives.
+#pragma once
+
+#include <initializer_list>
+
+#include "pipeline/gl/texture.h"
+
+namespace inkbench {
+
+class RenderTarget {
+ public:
+  /// Colour textures in the order of the shader's outputs, and a depth texture or nullptr; all of one size. Sets the
+  /// viewport and switches depth testing on exactly when there is a depth texture.
+  RenderTarget(std::initializer_list<const Texture*> colours, const Texture* depth);
+  RenderTarget(const RenderTarget&) = delete;
+  RenderTarget& operator=(const RenderTarget&) = delete;
+  ~RenderTarget();
+
+ private:
+  GLuint id_ = 0;
+};
+
+/// Draws one triangle over the whole target with the program in use.
+void draw_full_screen();
+
+}  // namespace inkbench

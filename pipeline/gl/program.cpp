@@ -1,0 +1,144 @@
+#include "pipeline/gl/program.h"
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/base/error.h"
+#include "pipeline/gl/context.h"
+
+namespace inkbench {
+namespace {
+
+struct ShaderDeleter {
+  static void destroy(GLuint id) { glDeleteShader(id); }
+};
+using ShaderName = GlName<&ShaderDeleter::destroy>;
+
+ShaderName compile(GLenum stage, const ShaderSource& source) {
+  ShaderName shader(glCreateShader(stage));
+  const char* text = source.text.c_str();
+  glShaderSource(shader.id(), 1, &text, nullptr);
+  glCompileShader(shader.id());
+  GLint ok = GL_FALSE;
+  glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
+  if (ok == GL_TRUE) return shader;
+  std::array<char, 8192> log{};
+  glGetShaderInfoLog(shader.id(), static_cast<GLsizei>(log.size()), nullptr, log.data());
+  discard_gl_errors();
+  throw input_error("", name_log_lines(log.data(), source.names));
+}
+
+std::string resource_name(GLuint program, GLenum kind, GLint index) {
+  std::array<char, 256> name{};
+  glGetProgramResourceName(program, kind, index, static_cast<GLsizei>(name.size()), nullptr, name.data());
+  return name.data();
+}
+
+GLint place_of(const std::string& name, const std::vector<std::string>& known, const std::string& shader) {
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found != known.end()) return static_cast<GLint>(found - known.begin());
+  throw input_error("shaders/" + shader, "nothing supplies '" + name + "'",
+                    "put it into a described parameter group, or remove it");
+}
+
+}  // namespace
+
+Program::Program(const std::string& vertex, const std::string& fragment, ProgramInputs inputs,
+                 const GeneratedSources& generated)
+    : vertex_name_(vertex), fragment_name_(fragment), inputs_(std::move(inputs)) {
+  const ShaderSource vertex_source = expand_shader(vertex_name_, generated);
+  const ShaderSource fragment_source = expand_shader(fragment_name_, generated);
+  name_ = link(vertex_source, fragment_source);
+  remember(vertex_source, fragment_source);
+}
+
+bool Program::reload_if_changed(const GeneratedSources& generated) {
+  const Key times = changes();
+  if (times == file_times_) return false;
+  file_times_ = times;  // an error is told once, not every frame
+  const ShaderSource vertex = expand_shader(vertex_name_, generated);
+  const ShaderSource fragment = expand_shader(fragment_name_, generated);
+  Name fresh = link(vertex, fragment);
+  name_ = std::move(fresh);
+  remember(vertex, fragment);
+  return true;
+}
+
+Program::Name Program::link(const ShaderSource& vertex, const ShaderSource& fragment) const {
+  const ShaderName vertex_shader = compile(GL_VERTEX_SHADER, vertex);
+  const ShaderName fragment_shader = compile(GL_FRAGMENT_SHADER, fragment);
+  Name program(glCreateProgram());
+  label_object(GL_PROGRAM, program.id(), fragment_name_);
+  glAttachShader(program.id(), vertex_shader.id());
+  glAttachShader(program.id(), fragment_shader.id());
+  glLinkProgram(program.id());
+  GLint ok = GL_FALSE;
+  glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
+  if (ok != GL_TRUE) {
+    std::array<char, 8192> log{};
+    glGetProgramInfoLog(program.id(), static_cast<GLsizei>(log.size()), nullptr, log.data());
+    discard_gl_errors();
+    throw input_error("shaders/" + fragment_name_, log.data());
+  }
+  bind_samplers(program.id());
+  bind_blocks(program.id(), GL_UNIFORM_BLOCK, inputs_.uniform_blocks);
+  bind_blocks(program.id(), GL_SHADER_STORAGE_BLOCK, inputs_.storage_blocks);
+  return program;
+}
+
+void Program::bind_samplers(GLuint program) const {
+  GLint count = 0;
+  glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
+  for (GLint i = 0; i < count; ++i) {
+    const GLenum properties[] = {GL_BLOCK_INDEX, GL_LOCATION};
+    GLint values[2] = {};
+    glGetProgramResourceiv(program, GL_UNIFORM, i, 2, properties, 2, nullptr, values);
+    if (values[0] >= 0) continue;
+    const std::string name = resource_name(program, GL_UNIFORM, i);
+    glProgramUniform1i(program, values[1], place_of(name, inputs_.samplers, fragment_name_));
+  }
+}
+
+void Program::bind_blocks(GLuint program, GLenum kind, const std::vector<std::string>& known) const {
+  GLint count = 0;
+  glGetProgramInterfaceiv(program, kind, GL_ACTIVE_RESOURCES, &count);
+  for (GLint i = 0; i < count; ++i) {
+    const auto place = static_cast<GLuint>(place_of(resource_name(program, kind, i), known, fragment_name_));
+    if (kind == GL_UNIFORM_BLOCK) glUniformBlockBinding(program, i, place);
+    if (kind == GL_SHADER_STORAGE_BLOCK) glShaderStorageBlockBinding(program, i, place);
+  }
+}
+
+void Program::remember(const ShaderSource& vertex, const ShaderSource& fragment) {
+  key_ = KeyBuilder().add(vertex.key).add(fragment.key).key();
+  files_ = vertex.files;
+  files_.insert(files_.end(), fragment.files.begin(), fragment.files.end());
+  file_times_ = changes();
+}
+
+Key Program::changes() const {
+  KeyBuilder builder;
+  for (const std::filesystem::path& file : files_) {
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(file, error);
+    builder.add(std::to_string(error ? 0 : time.time_since_epoch().count()));
+  }
+  return builder.key();
+}
+
+void bind_textures(std::initializer_list<const Texture*> textures) {
+  GLuint unit = 0;
+  for (const Texture* texture : textures) glBindTextureUnit(unit++, texture->id());
+}
+
+void bind_uniform_blocks(std::initializer_list<const Buffer*> buffers) {
+  GLuint binding = 0;
+  for (const Buffer* buffer : buffers) glBindBufferBase(GL_UNIFORM_BUFFER, binding++, buffer->id());
+}
+
+void bind_storage_blocks(std::initializer_list<const Buffer*> buffers) {
+  GLuint binding = 0;
+  for (const Buffer* buffer : buffers) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, buffer->id());
+}
+
+}  // namespace inkbench

@@ -1,0 +1,62 @@
+// A linked program from two shader files, and what it may read: samplers, uniform blocks and storage blocks by name.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/base/key.h"
+#include "pipeline/gl/object.h"
+#include "pipeline/gl/shader_source.h"
+#include "pipeline/gl/texture.h"
+
+namespace inkbench {
+
+/// The names that a pass supplies; each list's place is the unit or binding.
+struct ProgramInputs {
+  std::vector<std::string> samplers;
+  std::vector<std::string> uniform_blocks;
+  std::vector<std::string> storage_blocks;
+};
+
+class Program {
+ public:
+  /// Compiles shaders/`vertex` and shaders/`fragment`. Errors (input): file and line of what the compiler objects to; an
+  /// active uniform or block that is not among the inputs.
+  Program(const std::string& vertex, const std::string& fragment, ProgramInputs inputs, const GeneratedSources& generated);
+
+  /// Compiles again if a file changed since; on an error the last good program stays and the error is thrown once.
+  /// Returns whether the program is another one now.
+  bool reload_if_changed(const GeneratedSources& generated);
+
+  /// Of both expanded sources: part of every key of what the program draws.
+  const Key& key() const { return key_; }
+
+  void use() const { glUseProgram(name_.id()); }
+
+ private:
+  static void destroy(GLuint id) { glDeleteProgram(id); }
+  using Name = GlName<&Program::destroy>;
+
+  Name link(const ShaderSource& vertex, const ShaderSource& fragment) const;
+  void bind_samplers(GLuint program) const;
+  void bind_blocks(GLuint program, GLenum kind, const std::vector<std::string>& known) const;
+  void remember(const ShaderSource& vertex, const ShaderSource& fragment);
+  Key changes() const;
+
+  std::string vertex_name_, fragment_name_;
+  ProgramInputs inputs_;
+  Name name_;
+  Key key_;
+  std::vector<std::filesystem::path> files_;
+  Key file_times_;
+};
+
+/// Binds textures to units 0, 1, ... in the order of the program's samplers.
+void bind_textures(std::initializer_list<const Texture*> textures);
+
+/// Binds buffers to uniform or storage bindings 0, 1, ... in the order of the program's blocks.
+void bind_uniform_blocks(std::initializer_list<const Buffer*> buffers);
+void bind_storage_blocks(std::initializer_list<const Buffer*> buffers);
+
+}  // namespace inkbench

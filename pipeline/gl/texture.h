@@ -1,0 +1,45 @@
+// Textures that hold one image each: framebuffers between passes, and uploaded data. Row 0 of the texture is the
+// image's bottom row (OpenGL's way); reading and uploading turn it over, so that images have row 0 on top.
+#pragma once
+
+#include <string>
+
+#include "pipeline/gl/object.h"
+#include "pipeline/image/image.h"
+
+namespace inkbench {
+
+enum class TextureFormat { r32f, rg32f, rgba32f, r8, rg8, rgba8, depth32f };
+
+class Texture {
+ public:
+  Texture() = default;
+  /// Errors (work): larger than the driver allows.
+  Texture(const std::string& label, TextureFormat format, int width_px, int height_px);
+  Texture(Texture&& other) noexcept;
+  Texture& operator=(Texture&& other) noexcept;
+  ~Texture();
+
+  GLuint id() const { return id_; }
+  TextureFormat format() const { return format_; }
+  int width_px() const { return width_px_; }
+  int height_px() const { return height_px_; }
+
+  /// Fills the texture; the image has its size and its number of channels.
+  void upload(const Image& image);
+  /// `channels` channels from `first` on, as floats: 8-bit values come back as n / 255.
+  Image read(int first, int channels) const;
+  /// The red, green and blue of an rgba8 texture.
+  Picture read_picture() const;
+
+ private:
+  GLuint id_ = 0;
+  TextureFormat format_ = TextureFormat::r32f;
+  int width_px_ = 0;
+  int height_px_ = 0;
+};
+
+/// Deletes the textures that finished passes left for reuse. Call before their context ends.
+void clear_texture_pool();
+
+}  // namespace inkbench

@@ -1,0 +1,19 @@
+#include "pipeline/mesh/mesh.h"
+
+#include <glm/common.hpp>
+
+namespace inkbench {
+
+Bounds bounds_of(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return {};
+  Bounds bounds{mesh.positions[mesh.triangles[0][0]], mesh.positions[mesh.triangles[0][0]]};
+  for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
+    for (const uint32_t vertex : triangle) {
+      bounds.low = glm::min(bounds.low, mesh.positions[vertex]);
+      bounds.high = glm::max(bounds.high, mesh.positions[vertex]);
+    }
+  }
+  return bounds;
+}
+
+}  // namespace inkbench

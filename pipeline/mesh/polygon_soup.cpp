@@ -1,0 +1,181 @@
+#include "pipeline/mesh/polygon_soup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include "pipeline/base/error.h"
+#include "pipeline/base/text.h"
+#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/triangulate.h"
+
+namespace inkbench {
+namespace {
+
+using Triangle = std::array<uint32_t, 3>;
+
+constexpr uint32_t kUnused = std::numeric_limits<uint32_t>::max();
+
+struct Defects {
+  uint64_t out_of_range = 0;
+  int64_t worst_index = 0;  ///< The offending index farthest from zero.
+  uint64_t not_finite = 0;
+  uint64_t zero_area = 0;
+};
+
+std::string counted(uint64_t count, const std::string& one, const std::string& many) {
+  return with_commas(static_cast<long long>(count)) + " " + (count == 1 ? one : many);
+}
+
+std::string faces(uint64_t count) {
+  return counted(count, "face", "faces");
+}
+
+bool is_finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool indices_in_range(std::span<const int32_t> polygon, size_t points, Defects& defects) {
+  bool good = true;
+  for (const int64_t index : polygon) {
+    if (index >= 0 && index < static_cast<int64_t>(points)) continue;
+    good = false;
+    if (std::llabs(index) >= std::llabs(defects.worst_index)) defects.worst_index = index;
+  }
+  return good;
+}
+
+std::vector<Triangle> drawable_triangles(const PolygonSoup& soup, Defects& defects) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(soup.corner_counts.size());
+  size_t begin = 0;
+  for (const uint32_t count : soup.corner_counts) {
+    assert(begin + count <= soup.corners.size());
+    const std::span<const int32_t> polygon(soup.corners.data() + begin, count);
+    begin += count;
+    if (!indices_in_range(polygon, soup.points.size(), defects)) {
+      ++defects.out_of_range;
+    } else if (!std::ranges::all_of(polygon, [&](int32_t index) { return is_finite(soup.points[index]); })) {
+      ++defects.not_finite;
+    } else if (!triangulate(soup.points, polygon, triangles)) {
+      ++defects.zero_area;
+    }
+  }
+  return triangles;
+}
+
+/// Keeps the used points in their order and renumbers the triangles; returns each kept vertex's old index.
+std::vector<uint32_t> compact(const PolygonSoup& soup, Mesh& mesh) {
+  std::vector<uint32_t> renumbered(soup.points.size(), kUnused);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const uint32_t vertex : triangle) renumbered[vertex] = 0;
+  }
+  std::vector<uint32_t> kept;
+  for (uint32_t old = 0; old < renumbered.size(); ++old) {
+    if (renumbered[old] == kUnused) continue;
+    renumbered[old] = static_cast<uint32_t>(kept.size());
+    kept.push_back(old);
+  }
+  for (Triangle& triangle : mesh.triangles) {
+    for (uint32_t& vertex : triangle) vertex = renumbered[vertex];
+  }
+  mesh.positions.reserve(kept.size());
+  for (const uint32_t old : kept) mesh.positions.push_back(soup.points[old]);
+  return kept;
+}
+
+/// Edges with more than two triangles.
+uint64_t count_non_manifold_edges(const Mesh& mesh) {
+  std::vector<uint64_t> edges;
+  edges.reserve(mesh.triangles.size() * 3);
+  for (const Triangle& triangle : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      edges.push_back(static_cast<uint64_t>(low) << 32 | high);
+    }
+  }
+  std::ranges::sort(edges);
+  uint64_t crowded = 0;
+  for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end] == edges[begin]) ++end;
+    if (end - begin > 2) ++crowded;
+  }
+  return crowded;
+}
+
+/// Takes the file's normals if each vertex has one of usable length; else says in one sentence why not.
+std::string take_normals(const PolygonSoup& soup, std::span<const uint32_t> kept, Mesh& mesh) {
+  if (soup.normals.empty()) return "Normals are computed from the faces: the file has none.";
+  if (soup.split_normals > 0) {
+    return fmt::format("Normals are computed from the faces: the file gives {} several different ones.",
+                       counted(soup.split_normals, "vertex", "vertices"));
+  }
+  assert(soup.normals.size() == soup.points.size());
+  uint64_t unusable = 0;
+  mesh.normals.reserve(kept.size());
+  for (const uint32_t old : kept) {
+    const glm::dvec3 normal = soup.normals[old];
+    const double length = glm::length(normal);
+    if (!std::isfinite(length) || !(length > 0.0)) ++unusable;
+    mesh.normals.emplace_back(normal / length);
+  }
+  if (unusable == 0) return "";
+  return fmt::format("Normals are computed from the faces: the file has no usable one for {}.",
+                     counted(unusable, "vertex", "vertices"));
+}
+
+void note_dropped_faces(const Defects& defects, size_t points, std::vector<std::string>& notes) {
+  if (defects.out_of_range > 0) {
+    notes.push_back(
+        fmt::format("Dropped {} that name a vertex outside the file's {} (such as index {}, counted from 0).",
+                    faces(defects.out_of_range), with_commas(static_cast<long long>(points)),
+                    with_commas(defects.worst_index)));
+  }
+  if (defects.not_finite > 0) {
+    notes.push_back(fmt::format("Dropped {} with a corner at NaN or infinity.", faces(defects.not_finite)));
+  }
+  if (defects.zero_area > 0)
+    notes.push_back(fmt::format("Dropped {} without area.", faces(defects.zero_area)));
+}
+
+}  // namespace
+
+Mesh mesh_from_soup(const PolygonSoup& soup, const std::string& where) {
+  if (soup.corner_counts.empty() && soup.empty_polygons == 0) {
+    throw input_error(where,
+                      fmt::format("holds {} but no faces", counted(soup.points.size(), "point", "points")),
+                      "a mesh needs triangles or polygons");
+  }
+  Defects defects;
+  defects.zero_area = soup.empty_polygons;
+  Mesh mesh;
+  mesh.triangles = drawable_triangles(soup, defects);
+  note_dropped_faces(defects, soup.points.size(), mesh.notes);
+  if (mesh.triangles.empty()) {
+    throw input_error(where, "no face can be drawn: " + join(mesh.notes, " "),
+                      "a mesh needs triangles or polygons");
+  }
+  const std::vector<uint32_t> kept = compact(soup, mesh);
+  if (const size_t isolated = soup.points.size() - kept.size(); isolated > 0) {
+    mesh.notes.push_back(fmt::format("Removed {} that no drawn face uses.",
+                                     counted(isolated, "isolated vertex", "isolated vertices")));
+  }
+  if (const uint64_t crowded = count_non_manifold_edges(mesh); crowded > 0) {
+    mesh.notes.push_back(fmt::format("Kept {}, shared by more than two faces.",
+                                     counted(crowded, "non-manifold edge", "non-manifold edges")));
+  }
+  if (const std::string why_computed = take_normals(soup, kept, mesh); !why_computed.empty()) {
+    mesh.notes.push_back(why_computed);
+    smooth_normals(mesh);
+  }
+  return mesh;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,29 @@
+// A parameter inside some settings: its key, its description and where its value is.
+#pragma once
+
+#include <string>
+
+#include "pipeline/params/description.h"
+
+namespace inkbench {
+
+/// One described struct inside some settings: `prefix` is its key so far ("combine", "model.rabbit.material").
+struct ParamGroup {
+  std::string prefix;
+  const Description* description = nullptr;
+  void* owner = nullptr;
+};
+
+/// Valid while the settings live and keep their models and lights.
+struct Param {
+  std::string key;  ///< "combine.k_depth", "model.rabbit.position", "camera.eye.x".
+  const Field* field = nullptr;
+  void* owner = nullptr;
+  int component = -1;  ///< 0 to 2 when the key names one component of a vector.
+
+  Value value() const;
+  /// Errors (input), all naming `where` and the key: out of range, not one of the choices.
+  void set(const Value& value, const std::string& where) const;
+};
+
+}  // namespace inkbench

@@ -1,0 +1,72 @@
+#include "pipeline/passes/gpu_mesh.h"
+
+#include <algorithm>
+
+#include "pipeline/base/files.h"
+#include "pipeline/base/log.h"
+#include "pipeline/base/text.h"
+#include "pipeline/mesh/mesh_file.h"
+
+namespace inkbench {
+namespace {
+
+void attach(const VertexArray& vertex_array, GLuint attribute, const Buffer& buffer) {
+  glVertexArrayVertexBuffer(vertex_array.id(), attribute, buffer.id(), 0, sizeof(glm::vec3));
+  glEnableVertexArrayAttrib(vertex_array.id(), attribute);
+  glVertexArrayAttribFormat(vertex_array.id(), attribute, 3, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(vertex_array.id(), attribute, attribute);
+}
+
+}  // namespace
+
+GpuMesh::GpuMesh(const std::string& label, const Mesh& mesh)
+    : vertex_array_(label),
+      positions_(label + " positions", bytes_of(std::span(mesh.positions))),
+      normals_(label + " normals", bytes_of(std::span(mesh.normals))),
+      triangles_(label + " triangles", bytes_of(std::span(mesh.triangles))),
+      index_count_(static_cast<GLsizei>(mesh.triangles.size() * 3)),
+      bounds_(bounds_of(mesh)) {
+  attach(vertex_array_, 0, positions_);
+  attach(vertex_array_, 1, normals_);
+  glVertexArrayElementBuffer(vertex_array_.id(), triangles_.id());
+}
+
+void GpuMesh::draw() const {
+  glBindVertexArray(vertex_array_.id());
+  glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+Key MeshStore::content_key(const std::string& path) {
+  std::error_code error;
+  const auto size = static_cast<int64_t>(fs::file_size(path, error));
+  const int64_t time = error ? 0 : fs::last_write_time(path, error).time_since_epoch().count();
+  FileState& state = files_[path];
+  if (error || state.size != size || state.time != time) {
+    state = {size, time, KeyBuilder().add(read_file(path)).key()};
+  }
+  return state.content;
+}
+
+Key MeshStore::identity(const ModelParams& model) {
+  KeyBuilder builder;
+  builder.add(std::to_string(static_cast<int>(model.shape)));
+  if (model.shape == Shape::mesh) {
+    return builder.add(content_key(model.mesh == "rabbit" ? find_rabbit().string() : model.mesh)).key();
+  }
+  return builder.add(std::to_string(model.segments)).add(shortest(model.fillet)).add(shortest(model.tube)).key();
+}
+
+const GpuMesh& MeshStore::get(const ModelParams& model) {
+  const Key key = identity(model);
+  const auto found = meshes_.find(key);
+  if (found != meshes_.end()) return found->second;
+  const Mesh mesh = make_model_mesh(model);
+  for (const std::string& note : mesh.notes) log_note("model '" + model.name + "': " + note);
+  return meshes_.emplace(key, GpuMesh("mesh of " + model.name, mesh)).first->second;
+}
+
+void MeshStore::keep_only(std::span<const Key> keys) {
+  std::erase_if(meshes_, [&](const auto& entry) { return std::find(keys.begin(), keys.end(), entry.first) == keys.end(); });
+}
+
+}  // namespace inkbench

@@ -1,0 +1,20 @@
+#include "pipeline/passes/gradient.h"
+
+#include "pipeline/gl/framebuffer.h"
+
+namespace inkbench {
+
+GradientPass::GradientPass(const GeneratedSources& generated)
+    : program_("full_screen.vert", "gradient.frag", {.samplers = {"normal_map", "depth_map"}}, generated) {}
+
+Texture GradientPass::run(const Texture& normal, const Texture& depth, Precision precision) const {
+  const TextureFormat format = precision == Precision::float32 ? TextureFormat::rg32f : TextureFormat::rg8;
+  Texture gradient("gradient", format, depth.width_px(), depth.height_px());
+  const RenderTarget target({&gradient}, nullptr);
+  program_.use();
+  bind_textures({&normal, &depth});
+  draw_full_screen();
+  return gradient;
+}
+
+}  // namespace inkbench

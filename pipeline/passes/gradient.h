@@ -1,0 +1,20 @@
+// Gradients of the depth and normal maps by the paper's improved Sobel filter (3.4.3).
+#pragma once
+
+#include "pipeline/gl/program.h"
+#include "pipeline/passes/image_params.h"
+
+namespace inkbench {
+
+class GradientPass {
+ public:
+  explicit GradientPass(const GeneratedSources& generated);
+  /// Two channels: g of the depth map, mean of g over the normal map's x, y and z. rg32f, or rg8 for eight bits.
+  Texture run(const Texture& normal, const Texture& depth, Precision precision) const;
+  Program& program() { return program_; }
+
+ private:
+  Program program_;
+};
+
+}  // namespace inkbench

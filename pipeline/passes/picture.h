@@ -1,0 +1,28 @@
+// Buffers as 8-bit pictures, with the display gains.
+#pragma once
+
+#include "pipeline/gl/program.h"
+
+namespace inkbench {
+
+/// What of a buffer a picture shows.
+struct PictureView {
+  float gain = 1.0F;
+  int channel = kColour;  ///< 0 to 3 shows that channel as grey.
+
+  static constexpr int kColour = -1;     ///< The first three channels as colour.
+  static constexpr int kObjectId = -2;  ///< Alpha as an object's id, each in a colour of its own.
+};
+
+class PicturePass {
+ public:
+  explicit PicturePass(const GeneratedSources& generated);
+  /// Out: rgba8; values are clamped to 0 to 1 after the gain.
+  Texture run(const PictureView& view, const Texture& buffer) const;
+  Program& program() { return program_; }
+
+ private:
+  Program program_;
+};
+
+}  // namespace inkbench

@@ -1,0 +1,34 @@
+// Light: Blinn-Phong through the ramps, from the G-buffer (3.1, 3.2).
+#pragma once
+
+#include <vector>
+
+#include "pipeline/gl/program.h"
+#include "pipeline/passes/gbuffer.h"
+#include "pipeline/scene/light.h"
+#include "pipeline/scene/ramp.h"
+#include "pipeline/scene/scene_params.h"
+
+namespace inkbench {
+
+/// All that light depends on besides the G-buffer.
+struct ShadeParams {
+  CameraParams camera;
+  SceneParams scene;
+  std::vector<LightParams> lights;
+  std::vector<MaterialParams> materials;  ///< Material i belongs to object id i + 1.
+  RampParams ramp;
+};
+
+class ShadePass {
+ public:
+  explicit ShadePass(const GeneratedSources& generated);
+  /// Out: rgba32f, the background's colour where no model is. Errors (input): a ramp's image cannot be read.
+  Texture run(const ShadeParams& params, const GBuffer& gbuffer) const;
+  Program& program() { return program_; }
+
+ private:
+  Program program_;
+};
+
+}  // namespace inkbench

@@ -1,0 +1,99 @@
+// Settings to buffers, the paper's whole chain. Asking for a buffer computes what it needs and nothing else; what
+// an earlier call computed from the same inputs is used again.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/passes/buffer_names.h"
+#include "pipeline/passes/combine.h"
+#include "pipeline/passes/gbuffer.h"
+#include "pipeline/passes/gradient.h"
+#include "pipeline/passes/ink.h"
+#include "pipeline/passes/picture.h"
+#include "pipeline/passes/quantise.h"
+#include "pipeline/passes/range.h"
+#include "pipeline/passes/shade.h"
+#include "pipeline/scene/settings.h"
+#include "pipeline/stage.h"
+
+namespace inkbench {
+
+/// The key of each stage's output for some settings. Stages whose keys are equal need not run again.
+struct PassKeys {
+  Key meshes;  ///< Of the visible models' meshes.
+  Key gbuffer, quantise, gradient, range, combine, shade, blinn_phong, ink;
+  Key picture;  ///< Of the program that makes pictures.
+};
+
+/// GLSL of the uniform blocks and structs, generated from the parameters' descriptions.
+GeneratedSources generated_sources();
+
+/// Needs a current OpenGL 4.5 context for its whole life.
+class Pipeline {
+ public:
+  /// Errors (input): a shader does not compile.
+  Pipeline();
+  Pipeline(const Pipeline&) = delete;
+  Pipeline& operator=(const Pipeline&) = delete;
+
+  /// The buffer's picture, H x W x 3, with the display gains. Errors (input): the settings' meshes, ramps or size;
+  /// (work): what OpenGL reports, with the pass.
+  Picture picture(const Settings& settings, BufferName buffer);
+
+  /// The buffer's raw values, the ones that the next pass reads: H x W x 3 for normal, shaded, final and blinn_phong,
+  /// else H x W x 1. Errors as `picture`.
+  Image raw(const Settings& settings, BufferName buffer);
+
+  /// Computes the buffer without reading it back.
+  void draw(const Settings& settings, BufferName buffer);
+
+  PassKeys keys(const Settings& settings);
+
+  /// How often each pass ran and was reused, by the pass's name.
+  std::map<std::string, StageCount> counts() const;
+
+  /// Compiles changed shaders again. Errors (input): the first that fails, which keeps its last good program.
+  void reload_changed_shaders();
+
+ private:
+  struct View {
+    const Texture* texture;
+    int first_channel, channels;
+    PictureView picture;
+  };
+
+  const GBuffer& gbuffer(const Settings& settings, const PassKeys& keys);
+  /// The normal and depth maps that the edge passes read.
+  std::pair<const Texture*, const Texture*> edge_inputs(const Settings& settings, const PassKeys& keys);
+  const Texture& gradient(const Settings& settings, const PassKeys& keys);
+  const Texture& range(const Settings& settings, const PassKeys& keys);
+  const Texture& combined(const Settings& settings, const PassKeys& keys);
+  const Texture& shaded(const Settings& settings, const PassKeys& keys);
+  const Texture& blinn_phong(const Settings& settings, const PassKeys& keys);
+  const Texture& final(const Settings& settings, const PassKeys& keys);
+  View view(const Settings& settings, BufferName buffer);
+  std::vector<DrawItem> draw_items(const Settings& settings);
+
+  /// First, so that it is destroyed last, after the stages have given their textures back.
+  struct PoolGuard {
+    ~PoolGuard() { clear_texture_pool(); }
+  } pool_guard_;
+  GeneratedSources generated_ = generated_sources();
+  MeshStore meshes_;
+  GBufferPass gbuffer_pass_{generated_};
+  QuantisePass quantise_pass_{generated_};
+  GradientPass gradient_pass_{generated_};
+  RangePass range_pass_{generated_};
+  CombinePass combine_pass_{generated_};
+  ShadePass shade_pass_{generated_};
+  InkPass ink_pass_{generated_};
+  PicturePass picture_pass_{generated_};
+
+  Stage<GBuffer> gbuffer_;
+  Stage<QuantisedMaps> quantised_;
+  Stage<Texture> gradient_, range_, combined_, shaded_, blinn_phong_, final_;
+};
+
+}  // namespace inkbench

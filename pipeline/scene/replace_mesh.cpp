@@ -1,0 +1,21 @@
+#include "pipeline/scene/replace_mesh.h"
+
+#include <algorithm>
+
+namespace inkbench {
+
+void replace_main_mesh(Settings& settings, const std::filesystem::path& mesh) {
+  ModelParams& model = main_model(settings);
+  if (model.size <= 0.0F || model.anchor != Anchor::base) {
+    const Bounds bounds = bounds_of(make_model_mesh(model));
+    const glm::vec3 extent = bounds.high - bounds.low;
+    const glm::vec3 base{(bounds.low.x + bounds.high.x) / 2, bounds.low.y, (bounds.low.z + bounds.high.z) / 2};
+    model.position = glm::vec3(model_matrix(model, bounds) * glm::vec4(base, 1.0F));
+    if (model.size <= 0.0F) model.size = std::max({extent.x, extent.y, extent.z});
+    model.anchor = Anchor::base;
+  }
+  model.shape = Shape::mesh;
+  model.mesh = mesh == "rabbit" ? "rabbit" : std::filesystem::absolute(mesh).lexically_normal().string();
+}
+
+}  // namespace inkbench

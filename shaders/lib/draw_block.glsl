@@ -1,0 +1,8 @@
+// What one model's draw needs.
+
+layout(std140) uniform draw_block {
+  mat4 model_to_clip;
+  mat4 normal_to_world;  // upper 3 x 3: inverse transpose of the model matrix
+  float object_id;       // 1, 2, ... in the scene's order of models
+  float far;             // world units
+} draw;

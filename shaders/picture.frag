@@ -1,0 +1,23 @@
+#version 450 core
+// A buffer as an 8-bit picture: one channel as grey, three as colour, object ids as distinct colours; times a gain.
+
+uniform sampler2D buffer_map;
+layout(std140) uniform picture_block {
+  float gain;
+  int channel;  // 0 to 3: that channel as grey; -1: the first three as colour; -2: alpha as an id's colour
+} picture;
+layout(location = 0) out vec4 colour;
+
+// Hues a golden ratio apart stay distinct for any number of ids.
+vec3 id_colour(float id) {
+  if (id < 0.5) return vec3(0.0);
+  vec3 hue = fract(id * 0.61803399 + vec3(0.0, 0.3333, 0.6667));
+  return 0.35 + 0.65 * clamp(abs(hue * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+}
+
+void main() {
+  vec4 value = texelFetch(buffer_map, ivec2(gl_FragCoord.xy), 0);
+  vec3 shown = picture.channel >= 0 ? vec3(value[max(picture.channel, 0)]) : value.rgb;
+  if (picture.channel == -2) shown = id_colour(value.a);
+  colour = vec4(shown * picture.gain, 1.0);
+}

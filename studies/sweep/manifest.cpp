@@ -1,0 +1,36 @@
+#include "studies/sweep/manifest.h"
+
+#include <fmt/chrono.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/base/files.h"
+#include "pipeline/scene/settings_file.h"
+
+namespace inkbench {
+
+void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyResult& result, const std::string& state) {
+  const RendererInfo renderer = renderer_info();
+  std::vector<std::string> grids;
+  for (const fs::path& grid : result.grids) grids.push_back(grid.filename().string());
+  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  const nlohmann::ordered_json manifest{
+      {"title", spec.title},
+      {"state", state},
+      {"version", INKBENCH_VERSION},
+      {"renderer", {{"name", renderer.renderer}, {"vendor", renderer.vendor}, {"opengl", renderer.version}}},
+      {"cells", result.progress.total},
+      {"failures", result.failures},
+      {"grids", grids},
+      {"spec_file", spec.path.filename().string()},
+      {"spec", spec.text},
+      {"base_settings", settings_text(spec.base)},
+      {"times",
+       {{"written", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
+        {"cells_drawn", result.progress.drawn},
+        {"seconds", result.progress.seconds}}}};
+  write_file_atomically(folder / "manifest.json", manifest.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace inkbench

@@ -1,0 +1,45 @@
+// Runs a study: draws its cells so that the cheapest change is innermost, encodes them beside the drawing, and leaves a
+// folder with grid.png, cells/, data.csv and manifest.json. Continues what an earlier run of the same study left.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pipeline/pipeline.h"
+#include "studies/sweep/spec.h"
+
+namespace inkbench {
+
+struct StudyProgress {
+  size_t done = 0;    ///< Cells that are finished, those of earlier runs included.
+  size_t total = 0;
+  size_t drawn = 0;   ///< Of them, in this run.
+  size_t failed = 0;
+  double seconds = 0;  ///< Since this run started.
+};
+
+struct StudyOptions {
+  std::filesystem::path folder;
+  bool fresh = false;      ///< Forget what an earlier run finished.
+  bool fail_fast = false;  ///< Stop at the first cell that fails.
+  const std::atomic<bool>* stop = nullptr;                ///< Set from elsewhere to stop after the current cell.
+  std::function<void(const StudyProgress&)> on_progress;  ///< After each cell, from any thread, one at a time.
+};
+
+struct StudyResult {
+  StudyProgress progress;
+  bool stopped = false;               ///< Not all cells were tried.
+  std::vector<std::string> failures;  ///< "cell NAME: message".
+  std::vector<std::filesystem::path> grids;
+};
+
+/// Errors (work): the folder cannot be written. A cell's own error is a failure in the result.
+StudyResult run_study(Pipeline& pipeline, const StudySpec& spec, const StudyOptions& options);
+
+/// The order in which cells run: indices of cells, the axis whose change costs most outermost.
+std::vector<size_t> run_order(Pipeline& pipeline, const StudySpec& spec);
+
+}  // namespace inkbench

@@ -1,0 +1,350 @@
+#include "studies/sweep/spec.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
+#include "pipeline/base/text.h"
+#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/params/toml_value.h"
+#include "pipeline/scene/settings_file.h"
+
+namespace inkbench {
+namespace {
+
+constexpr size_t kMaxCells = 10'000'000;
+constexpr int kMaxAxisCount = 1'000'000;
+
+/// Reading one spec: the document, its name for errors and the folder that relative paths start from.
+class SpecReader {
+ public:
+  SpecReader(const std::string& text, const fs::path& path) : path_(path), document_(parse_toml(text, path.string())) {
+    spec_.path = path;
+    spec_.text = text;
+  }
+
+  StudySpec read(const std::vector<std::string>& assignments) {
+    check_keys(document_, {"title", "purpose", "scene", "size", "show", "set", "axis", "variant"});
+    spec_.title = text_entry("title", path_.stem().string());
+    spec_.purpose = text_entry("purpose", "");
+    spec_.base = load_settings(scene_path());
+    read_size();
+    read_show();
+    if (const TomlNode* set = table_entry("set")) apply_table(spec_.base, *set, path_.string(), path_.parent_path());
+    for (const std::string& assignment : assignments) apply_assignment(spec_.base, assignment);
+    read_axes();
+    read_variants();
+    check_assignments(assignments);
+    check_count();
+    return std::move(spec_);
+  }
+
+ private:
+  std::string at(const TomlNode& node) const { return path_.string() + ":" + std::to_string(node.line); }
+
+  void check_keys(const TomlNode& table, const std::vector<std::string>& known) const {
+    for (const auto& [key, node] : table.entries) {
+      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+      throw input_error(at(node), "unknown entry '" + key + "'", suggest(key, known));
+    }
+  }
+
+  std::string text_of(const TomlNode& node, const std::string& key) const {
+    if (!node.is_text()) throw input_error(at(node), key + " is " + node.kind_name(), "it must be text");
+    return node.text;
+  }
+
+  std::string text_entry(const std::string& key, const std::string& fallback) const {
+    const TomlNode* node = document_.find(key);
+    return node == nullptr ? fallback : text_of(*node, key);
+  }
+
+  const TomlNode* table_entry(const std::string& key) const {
+    const TomlNode* node = document_.find(key);
+    if (node != nullptr && !node->is_table()) {
+      throw input_error(at(*node), key + " is " + node->kind_name(), "it must be a table: [" + key + "]");
+    }
+    return node;
+  }
+
+  /// Every table of a [[list]].
+  std::vector<const TomlNode*> tables(const std::string& key) const {
+    std::vector<const TomlNode*> result;
+    const TomlNode* list = document_.find(key);
+    if (list == nullptr) return result;
+    const bool all_tables = list->is_array() && std::all_of(list->items.begin(), list->items.end(),
+                                                            [](const TomlNode& item) { return item.is_table(); });
+    if (!all_tables) throw input_error(at(*list), key + " is " + list->kind_name(), "it must be tables: [[" + key + "]]");
+    for (const TomlNode& item : list->items) result.push_back(&item);
+    return result;
+  }
+
+  fs::path scene_path() const {
+    const TomlNode* node = document_.find("scene");
+    if (node == nullptr) return project_file("data/scenes/paper.toml");
+    const std::string scene = text_of(*node, "scene");
+    for (const fs::path& candidate : {path_.parent_path() / scene, project_root() / scene}) {
+      if (fs::exists(candidate)) return candidate;
+    }
+    throw input_error(at(*node), "scene \"" + scene + "\" was not found",
+                      "give a path relative to this file or to " + project_root().string());
+  }
+
+  void read_size() {
+    const TomlNode* node = document_.find("size");
+    if (node == nullptr) return;
+    const bool pair = node->is_array() && node->items.size() == 2;
+    if (!pair) throw input_error(at(*node), "size is " + node->kind_name(), "it must be [width, height] in px");
+    set_value("image.width", node->items[0], at(*node));
+    set_value("image.height", node->items[1], at(*node));
+  }
+
+  void set_value(const std::string& key, const TomlNode& node, const std::string& where) {
+    const Param param = find_param(spec_.base, key, where);
+    param.set(value_from_toml(param, node, where, path_.parent_path().string()), where);
+  }
+
+  void read_show() {
+    const TomlNode* node = document_.find("show");
+    std::vector<std::string> names{"final"};
+    if (node != nullptr) {
+      if (!node->is_array()) throw input_error(at(*node), "show is " + node->kind_name(), "it must be a list of buffers: [\"final\"]");
+      names.clear();
+      for (const TomlNode& item : node->items) names.push_back(text_of(item, "show"));
+    }
+    spec_.show = parse_buffers(names, node == nullptr ? path_.string() : at(*node));
+  }
+
+  void read_axes() {
+    for (const TomlNode* table : tables("axis")) {
+      check_keys(*table, {"key", "values", "label", "from", "to", "count", "scale"});
+      const TomlNode* key = table->find("key");
+      if (key == nullptr) throw input_error(at(*table), "an [[axis]] without a key", "give it one: key = \"combine.k_depth\"");
+      Axis axis;
+      axis.key = text_of(*key, "key");
+      const Param param = find_param(spec_.base, axis.key, at(*key));
+      for (const Axis& other : spec_.axes) {
+        if (other.key == axis.key) throw input_error(at(*key), "a second axis over " + axis.key, "each axis needs another key");
+      }
+      const TomlNode* label = table->find("label");
+      axis.label = label == nullptr ? axis.key.substr(axis.key.rfind('.') + 1) : text_of(*label, "label");
+      axis.values = table->find("values") != nullptr ? listed_values(*table, param) : range_values(*table, param);
+      spec_.axes.push_back(std::move(axis));
+    }
+    if (spec_.axes.size() > 3) throw input_error(path_.string(), fmt::format("has {} axes", spec_.axes.size()), "at most three: columns, rows, pages");
+  }
+
+  std::vector<Value> listed_values(const TomlNode& table, const Param& param) const {
+    const TomlNode& list = *table.find("values");
+    for (const char* key : {"from", "to", "count", "scale"}) {
+      if (const TomlNode* other = table.find(key)) {
+        throw input_error(at(*other), std::string("both values and ") + key, "give values, or from, to and count");
+      }
+    }
+    if (!list.is_array()) throw input_error(at(list), "values is " + list.kind_name(), "it must be a list");
+    if (list.items.empty()) throw input_error(at(list), "the axis over " + param.key + " has no values", "list at least one");
+    std::vector<Value> values;
+    for (const TomlNode& item : list.items) values.push_back(checked(param, value_from_toml(param, item, at(item), path_.parent_path().string()), at(item)));
+    return values;
+  }
+
+  Value checked(const Param& param, const Value& value, const std::string& where) const {
+    Settings scratch = spec_.base;
+    find_param(scratch, param.key, where).set(value, where);
+    return value;
+  }
+
+  double number_entry(const TomlNode& table, const std::string& key) const {
+    const TomlNode* node = table.find(key);
+    if (node == nullptr) throw input_error(at(table), "the axis has no values and no " + key, "give values, or from, to and count");
+    if (node->kind == TomlNode::Kind::integer) return static_cast<double>(node->integer);
+    if (node->kind == TomlNode::Kind::real && std::isfinite(node->real)) return node->real;
+    throw input_error(at(*node), key + " is " + node->kind_name(), "it must be a finite number");
+  }
+
+  bool is_log(const TomlNode& table, const Param& param) const {
+    const TomlNode* node = table.find("scale");
+    if (node == nullptr) return param.field->scale == Scale::log;
+    const std::string scale = text_of(*node, "scale");
+    if (scale != "linear" && scale != "log") throw input_error(at(*node), "scale is \"" + scale + "\"", "one of: linear, log");
+    return scale == "log";
+  }
+
+  std::vector<Value> range_values(const TomlNode& table, const Param& param) const {
+    const double from = number_entry(table, "from");
+    const double to = number_entry(table, "to");
+    const double count = number_entry(table, "count");
+    const bool log = is_log(table, param);
+    const bool integer = param.field->type == FieldType::integer;
+    if (!integer && param.field->type != FieldType::real && param.component < 0) {
+      throw input_error(at(table), "from and to need a number, and " + param.key + " is a " + std::string(type_name(param.field->type)),
+                        "give values instead");
+    }
+    if (count < 1 || count > kMaxAxisCount || count != std::floor(count)) {
+      throw input_error(at(*table.find("count")), "count = " + shortest(count), "it must be a whole number from 1 on");
+    }
+    if (log && (from <= 0 || to <= 0)) throw input_error(at(table), "a log axis from " + shortest(from) + " to " + shortest(to), "both must be above 0");
+    std::vector<Value> values;
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+      const double t = count > 1 ? i / (count - 1) : 0.0;
+      const double number = i == count - 1 && count > 1 ? to : log ? from * std::pow(to / from, t) : from + (to - from) * t;
+      const Value value = integer ? Value(static_cast<int>(std::lround(number))) : Value(static_cast<float>(number));
+      if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(checked(param, value, at(table)));
+    }
+    return values;
+  }
+
+  void read_variants() {
+    for (const TomlNode* table : tables("variant")) {
+      if (!spec_.axes.empty()) throw input_error(at(*table), "both [[axis]] and [[variant]]", "a study has one or the other");
+      check_keys(*table, {"name", "set"});
+      const TomlNode* name = table->find("name");
+      if (name == nullptr) throw input_error(at(*table), "a [[variant]] without a name", "give it one: name = \"k_depth = 0.001\"");
+      Variant variant{text_of(*name, "name"), {}};
+      for (const Variant& other : spec_.variants) {
+        if (other.name == variant.name) throw input_error(at(*name), "a second variant is named \"" + variant.name + "\"", "names must differ");
+      }
+      if (const TomlNode* set = table->find("set")) collect(*set, "", variant.set);
+      spec_.variants.push_back(std::move(variant));
+    }
+  }
+
+  /// The leaves of a variant's set as assignments, checked.
+  void collect(const TomlNode& table, const std::string& prefix, std::vector<Assignment>& result) {
+    if (!table.is_table()) throw input_error(at(table), "set is " + table.kind_name(), "it must be a table: [variant.set]");
+    for (const auto& [name, node] : table.entries) {
+      const std::string key = prefix.empty() ? name : prefix + "." + name;
+      if (node.is_table() && !has_param(spec_.base, key)) {
+        collect(node, key, result);
+        continue;
+      }
+      const Param param = find_param(spec_.base, key, at(node));
+      result.push_back({key, checked(param, value_from_toml(param, node, at(node), path_.parent_path().string()), at(node))});
+    }
+  }
+
+  void check_assignments(const std::vector<std::string>& assignments) const {
+    for (const std::string& assignment : assignments) {
+      const std::string key(trim(assignment.substr(0, assignment.find('='))));
+      for (const Axis& axis : spec_.axes) {
+        if (axis.key == key) throw input_error("--set " + assignment, "is what the study's axis varies", "edit the axis in " + path_.string());
+      }
+    }
+  }
+
+  void check_count() const {
+    double count = 1;
+    for (const Axis& axis : spec_.axes) count *= static_cast<double>(axis.values.size());
+    if (count > kMaxCells) throw input_error(path_.string(), fmt::format("{:.0f} cells", count), "at most " + with_commas(kMaxCells));
+    const TomlNode* variants = document_.find("variant");
+    if (variants != nullptr && variants->items.empty()) throw input_error(at(*variants), "an empty list of variants");
+    const TomlNode* axes = document_.find("axis");
+    if (axes != nullptr && axes->items.empty()) throw input_error(at(*axes), "an empty list of axes");
+  }
+
+  fs::path path_;
+  TomlNode document_;
+  StudySpec spec_;
+};
+
+std::string short_key(const std::string& key) {
+  return key.substr(key.rfind('.') + 1);
+}
+
+void check_file(const std::string& key, const std::string& path) {
+  if (path.empty()) return;
+  std::error_code error;
+  if (path == "rabbit") {
+    find_rabbit();
+  } else if (!fs::is_regular_file(path, error)) {
+    throw input_error(key, "there is no file " + path);
+  }
+}
+
+void check_files(const Settings& settings, std::set<std::string>& seen) {
+  for (const ModelParams& model : settings.models) {
+    if (!model.visible || model.shape != Shape::mesh || !seen.insert(model.mesh).second) continue;
+    check_file("model." + model.name + ".mesh", model.mesh);
+  }
+  check_file("ramp.diffuse", settings.ramp.diffuse.image);
+  check_file("ramp.specular", settings.ramp.specular.image);
+}
+
+}  // namespace
+
+StudySpec load_spec(const fs::path& path, const std::vector<std::string>& assignments) {
+  return parse_spec(read_file(path), path, assignments);
+}
+
+StudySpec parse_spec(const std::string& text, const fs::path& name, const std::vector<std::string>& assignments) {
+  return SpecReader(text, name).read(assignments);
+}
+
+size_t cell_count(const StudySpec& spec) {
+  if (!spec.variants.empty()) return spec.variants.size();
+  size_t count = 1;
+  for (const Axis& axis : spec.axes) count *= axis.values.size();
+  return count;
+}
+
+Cell make_cell(const StudySpec& spec, size_t index) {
+  Cell cell;
+  cell.index = index;
+  if (!spec.variants.empty()) {
+    cell.column = static_cast<int>(index);
+    cell.name = spec.variants[index].name;
+    cell.set = spec.variants[index].set;
+    return cell;
+  }
+  int* const places[] = {&cell.column, &cell.row, &cell.page};
+  std::vector<std::string> parts;
+  size_t rest = index;
+  for (size_t i = 0; i < spec.axes.size(); ++i) {
+    const Axis& axis = spec.axes[i];
+    *places[i] = static_cast<int>(rest % axis.values.size());
+    rest /= axis.values.size();
+    cell.set.push_back({axis.key, axis.values[*places[i]]});
+    parts.push_back(short_key(axis.key) + " = " + label_text(cell.set.back().value));
+  }
+  cell.name = join(parts, ", ");
+  return cell;
+}
+
+Settings cell_settings(const StudySpec& spec, const Cell& cell) {
+  Settings settings = spec.base;
+  for (const Assignment& assignment : cell.set) {
+    find_param(settings, assignment.key, cell.name).set(assignment.value, cell.name);
+  }
+  return settings;
+}
+
+void check_cells(const StudySpec& spec) {
+  std::set<std::string> seen;
+  for (size_t i = 0; i < cell_count(spec); ++i) {
+    const Cell cell = make_cell(spec, i);
+    const Settings settings = cell_settings(spec, cell);
+    try {
+      check_settings(settings);
+      check_files(settings, seen);
+    } catch (const Error& error) {
+      const std::string where = spec.path.string() + (cell.name.empty() ? "" : ", cell " + cell.name);
+      throw input_error(where, error.what());
+    }
+  }
+}
+
+std::string label_text(const Value& value) {
+  if (const auto* real = std::get_if<float>(&value)) return fmt::format("{:.4g}", *real);
+  if (const auto* text = std::get_if<std::string>(&value)) return fs::path(*text).filename().string();
+  if (const auto* vector = std::get_if<glm::vec3>(&value)) return fmt::format("{:.4g}, {:.4g}, {:.4g}", vector->x, vector->y, vector->z);
+  if (const auto* ramp = std::get_if<Ramp>(&value)) {
+    return ramp->image.empty() ? fmt::format("{} stops", ramp->stops.size()) : fs::path(ramp->image).filename().string();
+  }
+  return to_text(value);
+}
+
+}  // namespace inkbench

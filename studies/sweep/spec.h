@@ -1,0 +1,68 @@
+// A study's spec: base settings, what varies (axes or named variants), what each cell shows. Read from TOML and
+// validated whole: a spec that was read has only cells that can be started.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/passes/buffer_names.h"
+#include "pipeline/scene/settings.h"
+
+namespace inkbench {
+
+struct Axis {
+  std::string key;
+  std::string label;          ///< The key's last part unless the spec says more.
+  std::vector<Value> values;  ///< At least one.
+};
+
+struct Assignment {
+  std::string key;
+  Value value;
+};
+
+struct Variant {
+  std::string name;
+  std::vector<Assignment> set;
+};
+
+struct StudySpec {
+  std::filesystem::path path;
+  std::string text;     ///< The file's content.
+  std::string title;
+  std::string purpose;  ///< One line for `inkbench study list`.
+  Settings base;
+  std::vector<BufferName> show;
+  std::vector<Axis> axes;         ///< Columns, rows, pages: at most three; empty where there are variants.
+  std::vector<Variant> variants;
+};
+
+/// One cell: its place in the grid and what it changes.
+struct Cell {
+  size_t index = 0;  ///< In order of page, row, column.
+  int column = 0, row = 0, page = 0;
+  std::string name;  ///< "k_depth = 0.001, k_normal = 0.005", for people.
+  std::vector<Assignment> set;
+};
+
+/// Errors (input): file:line for broken TOML, unknown keys, values that the parameter does not accept, axes without
+/// values, missing files; the cell whose settings contradict each other. `assignments` are `--set` texts on top of [set].
+StudySpec load_spec(const std::filesystem::path& path, const std::vector<std::string>& assignments = {});
+
+/// The same from text; `name` stands for the file in errors.
+StudySpec parse_spec(const std::string& text, const std::filesystem::path& name, const std::vector<std::string>& assignments);
+
+size_t cell_count(const StudySpec& spec);
+Cell make_cell(const StudySpec& spec, size_t index);
+
+/// Base plus the cell's overrides.
+Settings cell_settings(const StudySpec& spec, const Cell& cell);
+
+/// Checks every cell's settings and that the files they name exist. Errors (input): the first cell that is wrong.
+void check_cells(const StudySpec& spec);
+
+/// A value for labels: numbers with at most four digits, texts without quotes, file names without folders.
+std::string label_text(const Value& value);
+
+}  // namespace inkbench

@@ -1,0 +1,137 @@
+#include "studies/sweep/study_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
+#include "studies/report/csv.h"
+
+namespace inkbench {
+namespace {
+
+std::vector<std::string> varied_keys(const StudySpec& spec) {
+  std::vector<std::string> keys;
+  for (const Axis& axis : spec.axes) keys.push_back(axis.key);
+  for (const Variant& variant : spec.variants) {
+    for (const Assignment& assignment : variant.set) {
+      if (std::find(keys.begin(), keys.end(), assignment.key) == keys.end()) keys.push_back(assignment.key);
+    }
+  }
+  return keys;
+}
+
+/// A value as a field of data.csv: as TOML, but texts without quotes.
+std::string field_text(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr ? *text : to_text(value);
+}
+
+}  // namespace
+
+const std::vector<std::string>& number_columns() {
+  static const std::vector<std::string> kColumns{"ink", "ink_px"};
+  return kColumns;
+}
+
+StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Key> keys, bool fresh)
+    : spec_(spec), folder_(std::move(folder)), keys_(std::move(keys)), varied_(varied_keys(spec)) {
+  make_folder(folder_ / "cells");
+  if (!fresh) done_ = read_journal(folder_ / "journal.jsonl");
+  std::erase_if(done_, [&](const auto& entry) {
+    return entry.first >= keys_.size() || entry.second.key != keys_[entry.first].text() ||
+           entry.second.numbers.size() != number_columns().size() || entry.second.files.size() != spec_.show.size() ||
+           !files_intact(folder_, entry.second);
+  });
+  rewrite();
+}
+
+bool StudyFolder::is_done(size_t index) const {
+  const std::lock_guard lock(mutex_);
+  return done_.contains(index);
+}
+
+size_t StudyFolder::done_count() const {
+  const std::lock_guard lock(mutex_);
+  return done_.size();
+}
+
+std::string StudyFolder::cell_file(size_t index, BufferName buffer) const {
+  const size_t digits = std::max<size_t>(4, std::to_string(keys_.size()).size());
+  return fmt::format("cells/{:0{}}_{}.png", index + 1, digits, name_of(buffer));
+}
+
+std::string StudyFolder::header() const {
+  std::vector<std::string> fields{"cell"};
+  if (!spec_.variants.empty()) fields.emplace_back("variant");
+  fields.insert(fields.end(), varied_.begin(), varied_.end());
+  fields.insert(fields.end(), number_columns().begin(), number_columns().end());
+  fields.emplace_back("error");
+  for (const BufferName buffer : spec_.show) fields.push_back("FILE_" + std::string(name_of(buffer)));
+  return csv_line(fields);
+}
+
+std::string StudyFolder::row(size_t index, const std::vector<std::string>& numbers, const std::string& error) const {
+  const Cell cell = make_cell(spec_, index);
+  Settings settings = cell_settings(spec_, cell);
+  std::vector<std::string> fields{std::to_string(index + 1)};
+  if (!spec_.variants.empty()) fields.push_back(cell.name);
+  for (const std::string& key : varied_) fields.push_back(field_text(find_param(settings, key, key).value()));
+  for (size_t i = 0; i < number_columns().size(); ++i) fields.push_back(i < numbers.size() ? numbers[i] : "");
+  fields.push_back(error);
+  for (const BufferName buffer : spec_.show) fields.push_back(error.empty() ? cell_file(index, buffer) : "");
+  return csv_line(fields);
+}
+
+std::string StudyFolder::data_text() const {
+  std::string text = header();
+  for (size_t i = 0; i < keys_.size(); ++i) {
+    if (const auto done = done_.find(i); done != done_.end()) text += row(i, done->second.numbers, "");
+    if (const auto failed = failed_.find(i); failed != failed_.end()) text += row(i, {}, failed->second);
+  }
+  return text;
+}
+
+void StudyFolder::rewrite() const {
+  std::string journal;
+  for (const auto& [index, record] : done_) journal += journal_line(record);
+  write_file_atomically(folder_ / "journal.jsonl", journal);
+  write_file_atomically(folder_ / "data.csv", data_text());
+}
+
+void StudyFolder::append(const fs::path& path, const std::string& line) const {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  const ssize_t written = descriptor < 0 ? -1 : write(descriptor, line.data(), line.size());
+  const int number = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (written != static_cast<ssize_t>(line.size())) {
+    throw work_error(path.string(), "a row could not be added: " + std::string(std::strerror(written < 0 ? number : ENOSPC)));
+  }
+}
+
+void StudyFolder::add(size_t index, std::vector<std::string> numbers) {
+  CellRecord record{index, keys_[index].text(), std::move(numbers), {}};
+  for (const BufferName buffer : spec_.show) record.files.push_back(record_file(folder_, cell_file(index, buffer)));
+  const std::lock_guard lock(mutex_);
+  append(folder_ / "data.csv", row(index, record.numbers, ""));
+  append(folder_ / "journal.jsonl", journal_line(record));
+  done_[index] = std::move(record);
+}
+
+void StudyFolder::add_failure(size_t index, const std::string& message) {
+  const std::lock_guard lock(mutex_);
+  failed_[index] = message;
+  append(folder_ / "data.csv", row(index, {}, message));
+}
+
+void StudyFolder::finish() {
+  const std::lock_guard lock(mutex_);
+  rewrite();
+}
+
+}  // namespace inkbench

@@ -1,0 +1,54 @@
+// A study's folder: what an earlier run left that still counts, and the files that grow as cells end.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "studies/sweep/journal.h"
+#include "studies/sweep/spec.h"
+
+namespace inkbench {
+
+/// The numbers of a cell in data.csv, in order: names of columns.
+const std::vector<std::string>& number_columns();
+
+class StudyFolder {
+ public:
+  /// `keys[i]` is cell i's key now. Reads the journal, drops every cell whose key or files are not what it says,
+  /// and starts journal and data.csv anew with the rest. Errors (work): the folder cannot be written.
+  StudyFolder(const StudySpec& spec, std::filesystem::path folder, std::vector<Key> keys, bool fresh);
+
+  bool is_done(size_t index) const;
+  size_t done_count() const;
+  const std::filesystem::path& path() const { return folder_; }
+
+  /// "cells/0001_final.png", relative to the folder.
+  std::string cell_file(size_t index, BufferName buffer) const;
+
+  /// Appends a finished cell to journal and data.csv. Its files are on the disk already. Safe from any thread.
+  void add(size_t index, std::vector<std::string> numbers);
+  void add_failure(size_t index, const std::string& message);
+
+  /// Writes journal and data.csv once more in the grid's order, so that they do not tell in which order cells ended.
+  void finish();
+
+ private:
+  std::string row(size_t index, const std::vector<std::string>& numbers, const std::string& error) const;
+  std::string header() const;
+  std::string data_text() const;
+  void rewrite() const;
+  void append(const std::filesystem::path& path, const std::string& line) const;
+
+  const StudySpec& spec_;
+  std::filesystem::path folder_;
+  std::vector<Key> keys_;
+  std::vector<std::string> varied_;  ///< Keys that cells set, in order of first use.
+  std::map<size_t, CellRecord> done_;
+  std::map<size_t, std::string> failed_;
+  mutable std::mutex mutex_;
+};
+
+}  // namespace inkbench

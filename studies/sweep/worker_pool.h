@@ -1,0 +1,39 @@
+// Threads that take work from a bounded queue: encoding overlaps drawing, and memory does not grow when encoding is
+// the slower one.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace inkbench {
+
+class WorkerPool {
+ public:
+  WorkerPool(size_t threads, size_t queue_limit);
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+  /// Waits for all work.
+  ~WorkerPool();
+
+  /// Waits while the queue is full. The work must not throw.
+  void add(std::function<void()> work);
+  /// Returns when all work added so far has ended.
+  void wait();
+
+ private:
+  void serve();
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::function<void()>> queue_;
+  size_t queue_limit_;
+  size_t busy_ = 0;
+  bool closing_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace inkbench

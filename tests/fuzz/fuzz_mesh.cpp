@@ -1,0 +1,109 @@
+// Bytes as mesh files of every format and as raw polygons: nothing but an inkbench::Error may come out
+// besides a mesh that keeps its promises. The first byte chooses: a format, or the soup.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "pipeline/base/error.h"
+#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/polygon_soup.h"
+#include "pipeline/mesh/soup_transfer.h"
+
+namespace inkbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+void check_invariants(const Mesh& mesh) {
+  require(!mesh.triangles.empty() && mesh.normals.size() == mesh.positions.size());
+  for (const glm::vec3& position : mesh.positions) {
+    require(std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z));
+  }
+  for (const glm::vec3& normal : mesh.normals) require(std::abs(glm::length(normal) - 1.0F) < 1e-4F);
+  for (const auto& triangle : mesh.triangles) {
+    for (const uint32_t vertex : triangle) require(vertex < mesh.positions.size());
+  }
+  const Bounds bounds = bounds_of(mesh);
+  for (int axis = 0; axis < 3; ++axis) require(bounds.low[axis] <= bounds.high[axis]);
+}
+
+/// One folder for the whole run, in memory where the system has such a place.
+const fs::path& scratch_folder() {
+  static const struct Scratch {
+    Scratch() {
+      const fs::path base = fs::is_directory("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path();
+      std::string pattern = (base / "inkbench_fuzz_XXXXXX").string();
+      require(mkdtemp(pattern.data()) != nullptr);
+      folder = pattern;
+    }
+    ~Scratch() { fs::remove_all(folder); }
+    fs::path folder;
+  } scratch;
+  return scratch.folder;
+}
+
+void load_as(const char* name, std::span<const uint8_t> content) {
+  const fs::path path = scratch_folder() / name;
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(content.data()), static_cast<std::streamsize>(content.size()));
+  check_invariants(load_mesh_file(path));
+}
+
+/// A quarter of the bytes as points, the rest as faces of few corners.
+PolygonSoup soup_of(std::span<const uint8_t> bytes) {
+  PolygonSoup soup;
+  soup.points.resize(bytes.size() / 4 / sizeof(glm::vec3));
+  if (!soup.points.empty())
+    std::memcpy(soup.points.data(), bytes.data(), soup.points.size() * sizeof(glm::vec3));
+  bytes = bytes.subspan(soup.points.size() * sizeof(glm::vec3));
+  if (!bytes.empty() && bytes[0] % 2 == 1) soup.normals.assign(soup.points.rbegin(), soup.points.rend());
+  while (!bytes.empty()) {
+    const size_t corners = std::min<size_t>(bytes[0] % 8, bytes.size() - 1);
+    for (const uint8_t index : bytes.subspan(1, corners)) soup.corners.push_back(static_cast<int8_t>(index));
+    soup.corner_counts.push_back(static_cast<uint32_t>(corners));
+    bytes = bytes.subspan(1 + corners);
+  }
+  return soup;
+}
+
+void feed(uint8_t choice, std::span<const uint8_t> content) {
+  switch (choice % 6) {
+    case 0:
+      return load_as("fuzz.obj", content);
+    case 1:
+      return load_as("fuzz.ply", content);
+    case 2:
+      return load_as("fuzz.off", content);
+    case 3:
+      return load_as("fuzz.stl", content);
+    case 4:
+      return check_invariants(mesh_from_soup(soup_of(content), "soup"));
+    default:
+      return check_invariants(mesh_from_soup(receive_soup(content), "soup"));
+  }
+}
+
+}  // namespace
+}  // namespace inkbench
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  if (size == 0) return 0;
+  try {
+    inkbench::feed(data[0], {data + 1, size - 1});
+  } catch (const inkbench::Error&) {
+    // Refusing bad input is right.
+  }
+  return 0;
+}
