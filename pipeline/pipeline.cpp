@@ -47,8 +47,10 @@ GeneratedSources generated_sources() {
   return {
       {"generated/combine.glsl", glsl_uniform_block(CombineParams::description(), "combine")},
       {"generated/ink.glsl", glsl_uniform_block(InkParams::description(), "ink")},
-      {"generated/light.glsl", glsl_choices(LightParams::description(), "light") + glsl_struct(LightParams::description(), "Light")},
-      {"generated/material.glsl", glsl_struct(MaterialParams::description(), "Material")},
+      {"generated/light.glsl", glsl_choices(LightParams::description(), "light") + glsl_struct(LightParams::description(), "Light") +
+                                     fmt::format("const int max_lights = {};\n", kMaxLights)},
+      {"generated/material.glsl", glsl_struct(MaterialParams::description(), "Material") +
+                                        fmt::format("const int max_models = {};\n", kMaxModels)},
   };
 }
 
@@ -118,17 +120,15 @@ const GBuffer& Pipeline::gbuffer(const Settings& settings, const PassKeys& keys)
   });
 }
 
-std::pair<const Texture*, const Texture*> Pipeline::edge_inputs(const Settings& settings, const PassKeys& keys) {
-  const GBuffer& exact = gbuffer(settings, keys);
-  if (settings.image.precision == Precision::float32) return {&exact.normal_and_id, &exact.depth};
-  const QuantisedMaps& maps =
-      quantised_.get(keys.quantise, [&] { return quantise_pass_.run(exact.normal_and_id, exact.depth); });
-  return {&maps.normal, &maps.depth};
+const Texture& Pipeline::maps(const Settings& settings, const PassKeys& keys) {
+  const Texture& exact = gbuffer(settings, keys).normal_and_depth;
+  if (settings.image.precision == Precision::float32) return exact;
+  return quantised_.get(keys.quantise, [&] { return quantise_pass_.run(exact); });
 }
 
 const Texture& Pipeline::gradient(const Settings& settings, const PassKeys& keys) {
-  const auto [normal, depth] = edge_inputs(settings, keys);
-  return gradient_.get(keys.gradient, [&] { return gradient_pass_.run(*normal, *depth, settings.image.precision); });
+  const Texture& normal_and_depth = maps(settings, keys);
+  return gradient_.get(keys.gradient, [&] { return gradient_pass_.run(normal_and_depth, settings.image.precision); });
 }
 
 const Texture& Pipeline::range(const Settings& settings, const PassKeys& keys) {
@@ -167,9 +167,9 @@ Pipeline::View Pipeline::view(const Settings& settings, BufferName buffer) {
   constexpr int kColour = PictureView::kColour;
   switch (buffer) {
     case BufferName::normal:
-      return {edge_inputs(settings, k).first, 0, 3, {1.0F, kColour}};
+      return {&maps(settings, k), 0, 3, {1.0F, kColour}};
     case BufferName::depth:
-      return {edge_inputs(settings, k).second, 0, 1, {display.depth_gain, 0}};
+      return {&maps(settings, k), 3, 1, {display.depth_gain, 3}};
     case BufferName::normal_edges:
       return {&gradient(settings, k), 1, 1, {display.normal_edges_gain, 1}};
     case BufferName::depth_edges:
@@ -183,7 +183,7 @@ Pipeline::View Pipeline::view(const Settings& settings, BufferName buffer) {
     case BufferName::blinn_phong:
       return {&blinn_phong(settings, k), 0, 3, {1.0F, kColour}};
     case BufferName::object_id:
-      return {&gbuffer(settings, k).normal_and_id, 3, 1, {1.0F, PictureView::kObjectId}};
+      return {&gbuffer(settings, k).object_id, 0, 1, {1.0F, PictureView::kObjectId}};
   }
   return {};
 }
@@ -205,6 +205,11 @@ Image Pipeline::raw(const Settings& settings, BufferName buffer) {
   Image image = shown.texture->read(shown.first_channel, shown.channels);
   throw_gl_errors(std::string(name_of(buffer)));
   return image;
+}
+
+void Pipeline::forget_results() {
+  gbuffer_.forget();
+  for (Stage<Texture>* stage : {&quantised_, &gradient_, &range_, &combined_, &shaded_, &blinn_phong_, &final_}) stage->forget();
 }
 
 std::map<std::string, StageCount> Pipeline::counts() const {

@@ -49,6 +49,9 @@ class Pipeline {
   /// Computes the buffer without reading it back.
   void draw(const Settings& settings, BufferName buffer);
 
+  /// Drops every stage's value, so that the next call runs each pass it needs; meshes and programs stay.
+  void forget_results();
+
   PassKeys keys(const Settings& settings);
 
   /// How often each pass ran and was reused, by the pass's name.
@@ -65,8 +68,8 @@ class Pipeline {
   };
 
   const GBuffer& gbuffer(const Settings& settings, const PassKeys& keys);
-  /// The normal and depth maps that the edge passes read.
-  std::pair<const Texture*, const Texture*> edge_inputs(const Settings& settings, const PassKeys& keys);
+  /// The normal map, with the depth map in alpha, that the edge passes read.
+  const Texture& maps(const Settings& settings, const PassKeys& keys);
   const Texture& gradient(const Settings& settings, const PassKeys& keys);
   const Texture& range(const Settings& settings, const PassKeys& keys);
   const Texture& combined(const Settings& settings, const PassKeys& keys);
@@ -92,8 +95,7 @@ class Pipeline {
   PicturePass picture_pass_{generated_};
 
   Stage<GBuffer> gbuffer_;
-  Stage<QuantisedMaps> quantised_;
-  Stage<Texture> gradient_, range_, combined_, shaded_, blinn_phong_, final_;
+  Stage<Texture> quantised_, gradient_, range_, combined_, shaded_, blinn_phong_, final_;
 };
 
 }  // namespace inkbench

@@ -29,6 +29,8 @@ class Stage {
     return *value_;
   }
 
+  void forget() { value_.reset(); }
+
   const StageCount& count() const { return count_; }
 
  private:

@@ -4,7 +4,7 @@
 uniform sampler2D buffer_map;
 layout(std140) uniform picture_block {
   float gain;
-  int channel;  // 0 to 3: that channel as grey; -1: the first three as colour; -2: alpha as an id's colour
+  int channel;  // 0 to 3: that channel as grey; -1: the first three as colour; -2: red as an id's colour
 } picture;
 layout(location = 0) out vec4 colour;
 
@@ -18,6 +18,6 @@ vec3 id_colour(float id) {
 void main() {
   vec4 value = texelFetch(buffer_map, ivec2(gl_FragCoord.xy), 0);
   vec3 shown = picture.channel >= 0 ? vec3(value[max(picture.channel, 0)]) : value.rgb;
-  if (picture.channel == -2) shown = id_colour(value.a);
+  if (picture.channel == -2) shown = id_colour(value.r);
   colour = vec4(shown * picture.gain, 1.0);
 }

@@ -3,9 +3,9 @@
 #include "generated/light.glsl"
 #include "generated/material.glsl"
 
-uniform sampler2D normal_map;  // 0.5 N + 0.5; alpha: object id, 0 where no model is
-uniform sampler2D depth_map;   // linear depth / far
-uniform sampler2D ramp_table;  // row 0: diffuse, row 1: specular
+uniform sampler2D normal_and_depth_map;  // 0.5 N + 0.5; alpha: linear depth / far
+uniform sampler2D object_id_map;         // 0 where no model is
+uniform sampler2D ramp_table;            // row 0: diffuse, row 1: specular
 
 layout(std140) uniform view_block {
   vec3 eye;         // world space
@@ -16,10 +16,11 @@ layout(std140) uniform view_block {
   vec3 ambient;     // global ambient light
   vec3 background;
   int use_ramps;
+  int light_count;
 } view;
 
-layout(std140) readonly buffer light_list { Light lights[]; };
-layout(std140) readonly buffer material_list { Material materials[]; };
+layout(std140) uniform light_list { Light lights[max_lights]; };
+layout(std140) uniform material_list { Material materials[max_models]; };
 
 layout(location = 0) out vec4 colour;
 
@@ -35,22 +36,23 @@ vec3 light_direction(Light light, vec3 position) {
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  vec4 normal_and_id = texelFetch(normal_map, at, 0);
-  if (normal_and_id.a < 0.5) {
+  float object_id = texelFetch(object_id_map, at, 0).r;
+  if (object_id < 0.5) {
     colour = vec4(view.background, 1.0);
     return;
   }
-  Material material = materials[int(normal_and_id.a + 0.5) - 1];
-  vec2 place = gl_FragCoord.xy / vec2(textureSize(depth_map, 0));
+  Material material = materials[int(object_id + 0.5) - 1];
+  vec4 normal_and_depth = texelFetch(normal_and_depth_map, at, 0);
+  vec2 place = gl_FragCoord.xy / vec2(textureSize(object_id_map, 0));
   vec3 ray = view.ray_corner + place.x * view.ray_right + place.y * view.ray_up;
-  vec3 position = view.eye + ray * (texelFetch(depth_map, at, 0).r * view.far);
+  vec3 position = view.eye + ray * (normal_and_depth.a * view.far);
   vec3 to_eye = -normalize(ray);
-  vec3 normal = normalize(2.0 * normal_and_id.xyz - 1.0);
+  vec3 normal = normalize(2.0 * normal_and_depth.xyz - 1.0);
 
   vec3 ambient_coefficient = material.ambient * material.colour;
   vec3 diffuse_coefficient = material.diffuse * material.colour;
   vec3 sum = view.ambient * ambient_coefficient;
-  for (int i = 0; i < lights.length(); ++i) {
+  for (int i = 0; i < view.light_count; ++i) {
     Light light = lights[i];
     vec3 to_light = light_direction(light, position);
     vec3 halfway = normalize(to_light + to_eye);

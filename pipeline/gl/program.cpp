@@ -81,8 +81,7 @@ Program::Name Program::link(const ShaderSource& vertex, const ShaderSource& frag
     throw input_error("shaders/" + fragment_name_, log.data());
   }
   bind_samplers(program.id());
-  bind_blocks(program.id(), GL_UNIFORM_BLOCK, inputs_.uniform_blocks);
-  bind_blocks(program.id(), GL_SHADER_STORAGE_BLOCK, inputs_.storage_blocks);
+  bind_blocks(program.id());
   return program;
 }
 
@@ -99,13 +98,12 @@ void Program::bind_samplers(GLuint program) const {
   }
 }
 
-void Program::bind_blocks(GLuint program, GLenum kind, const std::vector<std::string>& known) const {
+void Program::bind_blocks(GLuint program) const {
   GLint count = 0;
-  glGetProgramInterfaceiv(program, kind, GL_ACTIVE_RESOURCES, &count);
+  glGetProgramInterfaceiv(program, GL_UNIFORM_BLOCK, GL_ACTIVE_RESOURCES, &count);
   for (GLint i = 0; i < count; ++i) {
-    const auto place = static_cast<GLuint>(place_of(resource_name(program, kind, i), known, fragment_name_));
-    if (kind == GL_UNIFORM_BLOCK) glUniformBlockBinding(program, i, place);
-    if (kind == GL_SHADER_STORAGE_BLOCK) glShaderStorageBlockBinding(program, i, place);
+    const std::string name = resource_name(program, GL_UNIFORM_BLOCK, i);
+    glUniformBlockBinding(program, i, static_cast<GLuint>(place_of(name, inputs_.uniform_blocks, fragment_name_)));
   }
 }
 
@@ -134,11 +132,6 @@ void bind_textures(std::initializer_list<const Texture*> textures) {
 void bind_uniform_blocks(std::initializer_list<const Buffer*> buffers) {
   GLuint binding = 0;
   for (const Buffer* buffer : buffers) glBindBufferBase(GL_UNIFORM_BUFFER, binding++, buffer->id());
-}
-
-void bind_storage_blocks(std::initializer_list<const Buffer*> buffers) {
-  GLuint binding = 0;
-  for (const Buffer* buffer : buffers) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, buffer->id());
 }
 
 }  // namespace inkbench

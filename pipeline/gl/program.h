@@ -1,4 +1,4 @@
-// A linked program from two shader files, and what it may read: samplers, uniform blocks and storage blocks by name.
+// A linked program from two shader files, and what it may read: samplers and uniform blocks by name.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,6 @@ namespace inkbench {
 struct ProgramInputs {
   std::vector<std::string> samplers;
   std::vector<std::string> uniform_blocks;
-  std::vector<std::string> storage_blocks;
 };
 
 class Program {
@@ -40,7 +39,7 @@ class Program {
 
   Name link(const ShaderSource& vertex, const ShaderSource& fragment) const;
   void bind_samplers(GLuint program) const;
-  void bind_blocks(GLuint program, GLenum kind, const std::vector<std::string>& known) const;
+  void bind_blocks(GLuint program) const;
   void remember(const ShaderSource& vertex, const ShaderSource& fragment);
   Key changes() const;
 
@@ -55,8 +54,7 @@ class Program {
 /// Binds textures to units 0, 1, ... in the order of the program's samplers.
 void bind_textures(std::initializer_list<const Texture*> textures);
 
-/// Binds buffers to uniform or storage bindings 0, 1, ... in the order of the program's blocks.
+/// Binds buffers to uniform bindings 0, 1, ... in the order of the program's blocks.
 void bind_uniform_blocks(std::initializer_list<const Buffer*> buffers);
-void bind_storage_blocks(std::initializer_list<const Buffer*> buffers);
 
 }  // namespace inkbench

@@ -110,9 +110,10 @@ uint64_t count_non_manifold_edges(const Mesh& mesh) {
   return crowded;
 }
 
-/// Takes the file's normals if each vertex has one of usable length; else says in one sentence why not.
+/// Takes the file's normals if it has any and each vertex has one of usable length; else says in one sentence why
+/// not. A file without normals is no defect and needs no word.
 std::string take_normals(const PolygonSoup& soup, std::span<const uint32_t> kept, Mesh& mesh) {
-  if (soup.normals.empty()) return "Normals are computed from the faces: the file has none.";
+  if (soup.normals.empty()) return "";
   if (soup.split_normals > 0) {
     return fmt::format("Normals are computed from the faces: the file gives {} several different ones.",
                        counted(soup.split_normals, "vertex", "vertices"));
@@ -171,10 +172,9 @@ Mesh mesh_from_soup(const PolygonSoup& soup, const std::string& where) {
     mesh.notes.push_back(fmt::format("Kept {}, shared by more than two faces.",
                                      counted(crowded, "non-manifold edge", "non-manifold edges")));
   }
-  if (const std::string why_computed = take_normals(soup, kept, mesh); !why_computed.empty()) {
-    mesh.notes.push_back(why_computed);
-    smooth_normals(mesh);
-  }
+  const std::string why_unusable = take_normals(soup, kept, mesh);
+  if (!why_unusable.empty()) mesh.notes.push_back(why_unusable);
+  if (soup.normals.empty() || !why_unusable.empty()) smooth_normals(mesh);
   return mesh;
 }
 

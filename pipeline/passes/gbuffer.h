@@ -1,4 +1,4 @@
-// G-buffer: draws all models once; out come the normal map with object ids, and the depth map (3.4.1, 3.4.2).
+// G-buffer: draws all models once; out come the normal and depth maps (3.4.1, 3.4.2) and object ids.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -11,8 +11,9 @@
 namespace inkbench {
 
 struct GBuffer {
-  Texture normal_and_id;  ///< rgba32f: 0.5 N + 0.5 in world space, (0.5, 0.5, 0.5) where no model is; alpha: object id.
-  Texture depth;          ///< r32f: linear depth / far, 1 where no model is.
+  Texture normal_and_depth;  ///< rgba32f: 0.5 N + 0.5 in world space, (0.5, 0.5, 0.5) where no model is; alpha: linear
+                             ///< depth / far, 1 where no model is. One texture, since the gradient reads both.
+  Texture object_id;         ///< r32f: 0 where no model is.
 };
 
 /// One model to draw.

@@ -5,6 +5,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
+#include "pipeline/mesh/closed.h"
 #include "pipeline/mesh/mesh_file.h"
 
 namespace inkbench {
@@ -25,7 +26,8 @@ GpuMesh::GpuMesh(const std::string& label, const Mesh& mesh)
       normals_(label + " normals", bytes_of(std::span(mesh.normals))),
       triangles_(label + " triangles", bytes_of(std::span(mesh.triangles))),
       index_count_(static_cast<GLsizei>(mesh.triangles.size() * 3)),
-      bounds_(bounds_of(mesh)) {
+      bounds_(bounds_of(mesh)),
+      closed_outwards_(is_closed_outwards(mesh)) {
   attach(vertex_array_, 0, positions_);
   attach(vertex_array_, 1, normals_);
   glVertexArrayElementBuffer(vertex_array_.id(), triangles_.id());

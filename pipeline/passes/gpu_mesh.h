@@ -17,12 +17,14 @@ class GpuMesh {
   GpuMesh(const std::string& label, const Mesh& mesh);
   void draw() const;
   const Bounds& bounds() const { return bounds_; }
+  bool closed_outwards() const { return closed_outwards_; }
 
  private:
   VertexArray vertex_array_;
   Buffer positions_, normals_, triangles_;
   GLsizei index_count_ = 0;
   Bounds bounds_;
+  bool closed_outwards_ = false;
 };
 
 class MeshStore {

@@ -11,7 +11,7 @@ struct PictureView {
   int channel = kColour;  ///< 0 to 3 shows that channel as grey.
 
   static constexpr int kColour = -1;     ///< The first three channels as colour.
-  static constexpr int kObjectId = -2;  ///< Alpha as an object's id, each in a colour of its own.
+  static constexpr int kObjectId = -2;  ///< Red as an object's id, each in a colour of its own.
 };
 
 class PicturePass {

@@ -5,14 +5,13 @@
 namespace inkbench {
 
 QuantisePass::QuantisePass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "quantise.frag", {.samplers = {"normal_map", "depth_map"}}, generated) {}
+    : program_("full_screen.vert", "quantise.frag", {.samplers = {"normal_and_depth_map"}}, generated) {}
 
-QuantisedMaps QuantisePass::run(const Texture& normal, const Texture& depth) const {
-  QuantisedMaps result{Texture("normal, 8 bits", TextureFormat::rgba8, normal.width_px(), normal.height_px()),
-                       Texture("depth, 8 bits", TextureFormat::r8, depth.width_px(), depth.height_px())};
-  const RenderTarget target({&result.normal, &result.depth}, nullptr);
+Texture QuantisePass::run(const Texture& normal_and_depth) const {
+  Texture result("normal and depth, 8 bits", TextureFormat::rgba8, normal_and_depth.width_px(), normal_and_depth.height_px());
+  const RenderTarget target({&result}, nullptr);
   program_.use();
-  bind_textures({&normal, &depth});
+  bind_textures({&normal_and_depth});
   draw_full_screen();
   return result;
 }

@@ -5,15 +5,11 @@
 
 namespace inkbench {
 
-struct QuantisedMaps {
-  Texture normal;  ///< rgba8
-  Texture depth;   ///< r8
-};
-
 class QuantisePass {
  public:
   explicit QuantisePass(const GeneratedSources& generated);
-  QuantisedMaps run(const Texture& normal, const Texture& depth) const;
+  /// In: normal and depth as the G-buffer has them. Out: the same as rgba8.
+  Texture run(const Texture& normal_and_depth) const;
   Program& program() { return program_; }
 
  private:

@@ -1,10 +1,13 @@
 #include "pipeline/passes/shade.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "pipeline/base/error.h"
 #include "pipeline/gl/framebuffer.h"
 #include "pipeline/params/glsl_block.h"
 
@@ -21,6 +24,7 @@ struct ViewBlock {
   alignas(16) glm::vec3 ambient;
   alignas(16) glm::vec3 background;
   int use_ramps;
+  int light_count;
 };
 
 ViewBlock make_view_block(const ShadeParams& params, float aspect) {
@@ -38,16 +42,22 @@ ViewBlock make_view_block(const ShadeParams& params, float aspect) {
   block.ambient = params.scene.ambient;
   block.background = params.scene.background;
   block.use_ramps = params.ramp.enabled ? 1 : 0;
+  block.light_count = static_cast<int>(params.lights.size());
   return block;
 }
 
-/// A storage buffer of packed structs; at least one element, since an empty buffer has no storage.
+/// A uniform buffer of `capacity` packed structs, the first ones from `items`.
 template <class Item>
-Buffer make_list(const std::string& label, const std::vector<Item>& items) {
-  std::vector<uint8_t> bytes;
-  for (const Item& item : items) {
-    const std::vector<uint8_t> packed = pack_std140(Item::description(), &item);
-    bytes.insert(bytes.end(), packed.begin(), packed.end());
+Buffer make_list(const std::string& label, const std::vector<Item>& items, int capacity) {
+  if (std::ssize(items) > capacity) {
+    throw input_error("scene", fmt::format("has {} {}", items.size(), label), fmt::format("at most {}", capacity));
+  }
+  const Item spare;
+  const size_t stride = pack_std140(Item::description(), &spare).size();
+  std::vector<uint8_t> bytes(stride * static_cast<size_t>(capacity));
+  for (size_t i = 0; i < items.size(); ++i) {
+    const std::vector<uint8_t> packed = pack_std140(Item::description(), &items[i]);
+    std::copy(packed.begin(), packed.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i * stride));
   }
   return {label, bytes};
 }
@@ -71,28 +81,23 @@ Texture make_ramp_texture(const RampParams& ramp) {
 
 ShadePass::ShadePass(const GeneratedSources& generated)
     : program_("full_screen.vert", "shade.frag",
-               {.samplers = {"normal_map", "depth_map", "ramp_table"},
-                .uniform_blocks = {"view_block"},
-                .storage_blocks = {"light_list", "material_list"}},
+               {.samplers = {"normal_and_depth_map", "object_id_map", "ramp_table"},
+                .uniform_blocks = {"view_block", "light_list", "material_list"}},
                generated) {}
 
 Texture ShadePass::run(const ShadeParams& params, const GBuffer& gbuffer) const {
-  const int width_px = gbuffer.depth.width_px();
-  const int height_px = gbuffer.depth.height_px();
+  const int width_px = gbuffer.object_id.width_px();
+  const int height_px = gbuffer.object_id.height_px();
   Texture shaded("shaded", TextureFormat::rgba32f, width_px, height_px);
   const ViewBlock block = make_view_block(params, static_cast<float>(width_px) / static_cast<float>(height_px));
   const Buffer view("view block", bytes_of(std::span(&block, 1)));
-  // Without lights the list holds a dark one: storage blocks cannot be empty.
-  LightParams dark;
-  dark.diffuse = dark.specular = glm::vec3(0.0F);
-  const Buffer lights = make_list("lights", params.lights.empty() ? std::vector{dark} : params.lights);
-  const Buffer materials = make_list("materials", params.materials.empty() ? std::vector<MaterialParams>(1) : params.materials);
+  const Buffer lights = make_list("lights", params.lights, kMaxLights);
+  const Buffer materials = make_list("materials", params.materials, kMaxModels);
   const Texture ramps = make_ramp_texture(params.ramp);
   const RenderTarget target({&shaded}, nullptr);
   program_.use();
-  bind_uniform_blocks({&view});
-  bind_storage_blocks({&lights, &materials});
-  bind_textures({&gbuffer.normal_and_id, &gbuffer.depth, &ramps});
+  bind_uniform_blocks({&view, &lights, &materials});
+  bind_textures({&gbuffer.normal_and_depth, &gbuffer.object_id, &ramps});
   draw_full_screen();
   return shaded;
 }

@@ -29,7 +29,7 @@ const Description& CameraParams::description() {
           field<&CameraParams::fov>({.name = "fov",
                                      .help = "Vertical field of view.",
                                      .unit = "deg",
-                                     .limits = {1, 170},
+                                     .limits = {0.01, 170},
                                      .slider = {10, 100}}),
           field<&CameraParams::near>({.name = "near",
                                       .help = "Distance of the near plane.",

@@ -7,7 +7,7 @@ namespace inkbench {
 namespace {
 
 // The longest single strip of cells; a longer one becomes a block. Names are wider than an axis' values.
-constexpr int kLongestNamedStrip = 4;
+constexpr int kLongestNamedStrip = 5;
 constexpr int kLongestAxisStrip = 8;
 
 bool stands_alone(const GridAxis& other) {

@@ -46,6 +46,14 @@ void paste(Picture& target, const Picture& source, int x) {
   }
 }
 
+/// An earlier run may have needed more pages.
+void remove_grids(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("grid") && name.ends_with(".png")) std::filesystem::remove(entry.path());
+  }
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const StudyFolder& folder) {
@@ -62,6 +70,7 @@ std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const
     }
     return picture;
   };
+  remove_grids(folder.path());
   const ImageText text{{"Software", "inkbench " INKBENCH_VERSION}, {"inkbench:version", INKBENCH_VERSION}, {"inkbench:spec", spec.text}};
   return write_grid(folder.path(), layout, cell_picture, text);
 }

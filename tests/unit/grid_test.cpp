@@ -265,7 +265,7 @@ TEST(Grid, type_grows_with_the_sheet) {
   }
 }
 
-TEST(Grid, five_variants_stand_three_over_two_and_four_in_a_row) {
+TEST(Grid, up_to_five_variants_stand_in_a_row_and_more_in_a_block) {
   const auto rows_of = [](int count) {
     const GridPlan plan = plan_grid(variants(numbers(count), 256));
     std::map<int, int> rows;
@@ -274,8 +274,8 @@ TEST(Grid, five_variants_stand_three_over_two_and_four_in_a_row) {
     for (const auto& [y, length] : rows) lengths.push_back(length);
     return lengths;
   };
-  EXPECT_EQ(rows_of(4), (std::vector{4}));
-  EXPECT_EQ(rows_of(5), (std::vector{3, 2}));
+  EXPECT_EQ(rows_of(5), (std::vector{5}));
+  EXPECT_EQ(rows_of(6), (std::vector{3, 3}));
   EXPECT_EQ(rows_of(9), (std::vector{3, 3, 3}));
   EXPECT_EQ(rows_of(12), (std::vector{4, 4, 4}));
 }

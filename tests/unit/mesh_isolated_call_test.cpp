@@ -81,7 +81,12 @@ TEST(IsolatedCall, endless_output_ends_with_its_time) {
   EXPECT_EQ(result.end, IsolatedEnd::timed_out);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define INKBENCH_ADDRESS_SANITIZER 1
+#endif
+#endif
+#if !defined(__SANITIZE_ADDRESS__) && !defined(INKBENCH_ADDRESS_SANITIZER)
 TEST(IsolatedCall, memory_beyond_the_limit_is_refused_to_the_child) {
   const auto allocate = [](const ByteSink& sink) {
     const std::vector<uint8_t> block(size_t{64} << 20, 1);

@@ -1,0 +1,133 @@
+// Editing shaders while the program runs: what depends on the edit runs again; a broken edit keeps the last good program.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "pipeline/pipeline.h"
+#include "tests/gl/scenes.h"
+#include "tests/gl/shader_folder.h"
+
+namespace inkbench {
+namespace {
+
+using Names = std::set<std::string>;
+
+class HotReload : public testing::Test {
+ protected:
+  HotReload() : before_(pipeline_.raw(small_scene(), BufferName::final)) {}
+
+  /// The final image, and the passes that it took since the last one.
+  Image draw() {
+    const auto counts = pipeline_.counts();
+    Image image = pipeline_.raw(small_scene(), BufferName::final);
+    ran_.clear();
+    for (const auto& [name, count] : pipeline_.counts()) {
+      if (count.runs != counts.at(name).runs) ran_.insert(name);
+    }
+    return image;
+  }
+
+  ShaderFolder folder_;  // first: the pipeline reads its shaders there
+  Pipeline pipeline_;
+  Image before_;
+  Names ran_;
+};
+
+TEST_F(HotReload, without_edits_runs_nothing) {
+  pipeline_.reload_changed_shaders();
+  EXPECT_EQ(draw(), before_);
+  EXPECT_EQ(ran_, Names{});
+}
+
+TEST_F(HotReload, edited_pass_runs_with_what_follows_it) {
+  folder_.edit("combine.frag", "edge = sum", "edge = 0.75 + sum");
+  pipeline_.reload_changed_shaders();
+  const Image image = draw();
+  EXPECT_EQ(ran_, (Names{"combine", "ink"}));
+  EXPECT_NE(image, before_);
+  for (const float value : image.samples) ASSERT_EQ(value, 0.0F) << "every pixel is inked";
+}
+
+TEST_F(HotReload, edited_shading_runs_no_edge_pass) {
+  folder_.edit("shade.frag", "colour = vec4(sum, 1.0)", "colour = vec4(sum * 0.5, 1.0)");
+  pipeline_.reload_changed_shaders();
+  EXPECT_NE(draw(), before_);
+  EXPECT_EQ(ran_, (Names{"shade", "ink"}));
+}
+
+TEST_F(HotReload, touched_file_with_the_same_text_runs_nothing) {
+  folder_.write("combine.frag", folder_.read("combine.frag"));
+  pipeline_.reload_changed_shaders();
+  EXPECT_EQ(draw(), before_);
+  EXPECT_EQ(ran_, Names{});
+}
+
+TEST_F(HotReload, broken_edit_keeps_program_and_image_and_is_told_once) {
+  const std::string good = folder_.read("combine.frag");
+  folder_.edit("combine.frag", "float sum = p.x + p.y;", "float sum = p.x + q.y;");
+  const std::string error = input_error_of([&] { pipeline_.reload_changed_shaders(); });
+  EXPECT_NE(error.find("shaders/combine.frag:12"), std::string::npos) << error;
+  EXPECT_NO_THROW(pipeline_.reload_changed_shaders());
+  EXPECT_EQ(draw(), before_);
+  EXPECT_EQ(ran_, Names{});
+  Settings other = small_scene();
+  other.combine.threshold = 0.1F;
+  EXPECT_NO_THROW(pipeline_.raw(other, BufferName::final)) << "the last good program still draws";
+
+  folder_.write("combine.frag", good);
+  EXPECT_NO_THROW(pipeline_.reload_changed_shaders());
+  EXPECT_EQ(draw(), before_);
+}
+
+TEST_F(HotReload, mended_edit_takes_effect) {
+  folder_.edit("combine.frag", "edge = sum", "edge = 0.75 + nonsense");
+  input_error_of([&] { pipeline_.reload_changed_shaders(); });
+  folder_.edit("combine.frag", "0.75 + nonsense", "0.75 + sum");
+  pipeline_.reload_changed_shaders();
+  EXPECT_NE(draw(), before_);
+  EXPECT_EQ(ran_, (Names{"combine", "ink"}));
+}
+
+TEST_F(HotReload, deleted_shader_keeps_the_last_good_program) {
+  fs::rename(project_file("shaders/combine.frag"), project_file("shaders/elsewhere.frag"));
+  const std::string error = input_error_of([&] { pipeline_.reload_changed_shaders(); });
+  EXPECT_NE(error.find("shaders/combine.frag"), std::string::npos) << error;
+  EXPECT_EQ(draw(), before_);
+}
+
+TEST_F(HotReload, edit_of_an_included_file_counts) {
+  folder_.edit("lib/draw_block.glsl", "// What one", "// An edit. What one");
+  pipeline_.reload_changed_shaders();
+  EXPECT_EQ(draw(), before_);
+  EXPECT_TRUE(ran_.contains("gbuffer"));
+}
+
+TEST_F(HotReload, broken_included_file_is_named) {
+  folder_.edit("lib/draw_block.glsl", "float far;", "flaot far;");
+  const std::string error = input_error_of([&] { pipeline_.reload_changed_shaders(); });
+  EXPECT_NE(error.find("shaders/lib/draw_block.glsl:7"), std::string::npos) << error;
+  EXPECT_EQ(draw(), before_);
+}
+
+TEST_F(HotReload, uniform_that_nobody_supplies_keeps_the_last_good_program) {
+  folder_.edit("ink.frag", "void main() {", "uniform float strength;\nvoid main() {");
+  folder_.edit("ink.frag", "> 0.0", "> strength");
+  const std::string error = input_error_of([&] { pipeline_.reload_changed_shaders(); });
+  EXPECT_NE(error.find("'strength'"), std::string::npos) << error;
+  EXPECT_EQ(draw(), before_);
+}
+
+TEST_F(HotReload, file_included_by_a_broken_edit_is_watched_too) {
+  folder_.write("lib/fresh.glsl", "float twice(float x) { return 2.0 * y; }\n");
+  folder_.edit("combine.frag", "#include \"generated/combine.glsl\"", "#include \"generated/combine.glsl\"\n#include \"lib/fresh.glsl\"");
+  folder_.edit("combine.frag", "edge = sum", "edge = twice(sum) + 0.75");
+  const std::string error = input_error_of([&] { pipeline_.reload_changed_shaders(); });
+  EXPECT_NE(error.find("shaders/lib/fresh.glsl:1"), std::string::npos) << error;
+  folder_.write("lib/fresh.glsl", "float twice(float x) { return 2.0 * x; }\n");
+  pipeline_.reload_changed_shaders();
+  EXPECT_NE(draw(), before_);
+  EXPECT_EQ(ran_, (Names{"combine", "ink"}));
+}
+
+}  // namespace
+}  // namespace inkbench

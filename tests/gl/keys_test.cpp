@@ -1,0 +1,151 @@
+// What runs again after a change: what lies downstream of it and nothing else.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "pipeline/pipeline.h"
+#include "tests/gl/checks.h"
+#include "tests/gl/scenes.h"
+
+namespace inkbench {
+namespace {
+
+using Names = std::set<std::string>;
+
+const Names kFloatChain{"gbuffer", "gradient", "range", "combine", "shade", "ink"};
+
+/// The passes that ran while the action did.
+Names passes_run_by(const Pipeline& pipeline, const std::function<void()>& action) {
+  const std::map<std::string, StageCount> before = pipeline.counts();
+  action();
+  Names names;
+  for (const auto& [name, count] : pipeline.counts()) {
+    if (count.runs != before.at(name).runs) names.insert(name);
+    EXPECT_LE(count.runs, before.at(name).runs + 1) << name << " ran more than once";
+  }
+  return names;
+}
+
+/// The passes that a final image needs again after `change`.
+Names passes_after(const std::function<void(Settings&)>& change) {
+  Settings settings = small_scene();
+  Pipeline pipeline;
+  pipeline.draw(settings, BufferName::final);
+  change(settings);
+  return passes_run_by(pipeline, [&] { pipeline.draw(settings, BufferName::final); });
+}
+
+TEST(Keys, unchanged_settings_run_nothing) {
+  EXPECT_EQ(passes_after([](Settings&) {}), Names{});
+}
+
+TEST(Keys, combine_parameters_run_combine_and_ink) {
+  const Names expected{"combine", "ink"};
+  EXPECT_EQ(passes_after([](Settings& s) { s.combine.k_depth *= 2.0F; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.combine.k_normal *= 2.0F; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.combine.threshold = 0.5F; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.combine.use_depth = false; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.combine.use_normal = false; }), expected);
+}
+
+TEST(Keys, ramps_lights_and_materials_run_no_edge_pass) {
+  const Names expected{"shade", "ink"};
+  EXPECT_EQ(passes_after([](Settings& s) { s.ramp.enabled = false; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.ramp.diffuse.stops[1].position = 0.3F; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.ramp.specular.stops[1].colour.g = 0.5F; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.lights[0].diffuse.r = 0.5F; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.lights.push_back({.name = "second"}); }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.lights.clear(); }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.models[0].material.exponent = 5.0F; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.scene.background = {0.1F, 0.2F, 0.3F}; }), expected);
+}
+
+TEST(Keys, ink_colour_runs_ink) {
+  EXPECT_EQ(passes_after([](Settings& s) { s.ink.colour.r = 0.5F; }), Names{"ink"});
+}
+
+TEST(Keys, camera_models_and_size_run_everything) {
+  EXPECT_EQ(passes_after([](Settings& s) { s.camera.eye.x = 0.5F; }), kFloatChain);
+  EXPECT_EQ(passes_after([](Settings& s) { s.models[0].position.x = 0.5F; }), kFloatChain);
+  EXPECT_EQ(passes_after([](Settings& s) { s.models[0].segments = 12; }), kFloatChain);
+  EXPECT_EQ(passes_after([](Settings& s) { s.models[0].visible = false; }), kFloatChain);
+  EXPECT_EQ(passes_after([](Settings& s) { s.image.width += 1; }), kFloatChain);
+  EXPECT_EQ(passes_after([](Settings& s) { s.image.height += 1; }), kFloatChain);
+}
+
+TEST(Keys, precision_keeps_the_gbuffer_and_the_shading) {
+  EXPECT_EQ(passes_after([](Settings& s) { s.image.precision = Precision::unorm8; }),
+            (Names{"quantise", "gradient", "range", "combine", "ink"}));
+}
+
+TEST(Keys, display_gains_run_no_pass) {
+  EXPECT_EQ(passes_after([](Settings& s) { s.display = {2.0F, 3.0F, 4.0F}; }), Names{});
+  Settings settings = small_scene();
+  Pipeline pipeline;
+  const Picture before = pipeline.picture(settings, BufferName::depth);
+  settings.display.depth_gain = 2.0F;
+  Picture after;
+  EXPECT_EQ(passes_run_by(pipeline, [&] { after = pipeline.picture(settings, BufferName::depth); }), Names{});
+  EXPECT_NE(before, after);
+}
+
+TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
+  const std::map<BufferName, Names> needs{
+      {BufferName::normal, {"gbuffer"}},
+      {BufferName::depth, {"gbuffer"}},
+      {BufferName::object_id, {"gbuffer"}},
+      {BufferName::normal_edges, {"gbuffer", "gradient"}},
+      {BufferName::depth_edges, {"gbuffer", "gradient"}},
+      {BufferName::combined_edges, {"gbuffer", "gradient", "range", "combine"}},
+      {BufferName::shaded, {"gbuffer", "shade"}},
+      {BufferName::blinn_phong, {"gbuffer", "blinn_phong"}},
+      {BufferName::final, kFloatChain}};
+  ASSERT_EQ(needs.size(), kBufferNames.size());
+  for (const auto& [buffer, expected] : needs) {
+    Pipeline pipeline;
+    EXPECT_EQ(passes_run_by(pipeline, [&] { pipeline.raw(small_scene(), buffer); }), expected) << name_of(buffer);
+  }
+}
+
+TEST(Keys, all_buffers_together_run_each_pass_once) {
+  Pipeline pipeline;
+  Names expected = kFloatChain;
+  expected.insert("blinn_phong");
+  EXPECT_EQ(passes_run_by(pipeline,
+                          [&] {
+                            for (size_t i = 0; i < kBufferNames.size(); ++i) pipeline.raw(small_scene(), static_cast<BufferName>(i));
+                          }),
+            expected);
+}
+
+TEST(Keys, a_rewritten_mesh_file_runs_everything) {
+  TempFolder folder;
+  Settings settings = small_scene();
+  settings.models[0].shape = Shape::mesh;
+  settings.models[0].mesh = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").string();
+  Pipeline pipeline;
+  const Image before = pipeline.raw(settings, BufferName::final);
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+  Image after;
+  EXPECT_EQ(passes_run_by(pipeline, [&] { after = pipeline.raw(settings, BufferName::final); }), kFloatChain);
+  EXPECT_NE(before, after);
+}
+
+TEST(Keys, a_failed_draw_leaves_the_pipeline_usable) {
+  Settings settings = small_scene();
+  Pipeline pipeline;
+  const Image before = pipeline.raw(settings, BufferName::final);
+  Settings broken = settings;
+  broken.models[0].shape = Shape::mesh;
+  broken.models[0].mesh = "/nowhere/mesh.obj";
+  EXPECT_NE(input_error_of([&] { pipeline.raw(broken, BufferName::final); }).find("/nowhere/mesh.obj"), std::string::npos);
+  broken = settings;
+  broken.camera.target = broken.camera.eye;
+  EXPECT_NE(input_error_of([&] { pipeline.raw(broken, BufferName::final); }).find("camera.eye"), std::string::npos);
+  EXPECT_EQ(pipeline.raw(settings, BufferName::final), before);
+}
+
+}  // namespace
+}  // namespace inkbench

@@ -1,0 +1,248 @@
+// Every parameter does something: changed from its value it changes a stage's key and an image. The test walks the
+// descriptions, so a parameter added tomorrow is tried without a line here.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "pipeline/base/text.h"
+#include "pipeline/image/image_file.h"
+#include "pipeline/pipeline.h"
+#include "tests/gl/checks.h"
+
+namespace inkbench {
+namespace {
+
+/// A condition of `matters_when`: "shape = torus", "shape != mesh".
+struct Condition {
+  std::string name, value;
+  bool equal = true;
+};
+
+std::optional<Condition> condition_of(const Field& field) {
+  if (field.matters_when.empty()) return std::nullopt;
+  const std::string text(field.matters_when);
+  const bool unequal = text.find(" != ") != std::string::npos;
+  const size_t place = text.find(unequal ? " != " : " = ");
+  if (place == std::string::npos) throw std::runtime_error("cannot read the condition '" + text + "'");
+  return Condition{text.substr(0, place), text.substr(place + (unequal ? 4 : 3)), !unequal};
+}
+
+std::string sibling_key(const std::string& key, const Field& field, const std::string& sibling) {
+  return key.substr(0, key.rfind("." + std::string(field.name))) + "." + sibling;
+}
+
+bool holds(Settings& settings, const std::string& key, const Field& field, const Condition& condition) {
+  const Value value = find_param(settings, sibling_key(key, field, condition.name), "test").value();
+  const std::string text = std::holds_alternative<std::string>(value) ? std::get<std::string>(value) : to_text(value);
+  return (text == condition.value) == condition.equal;
+}
+
+/// The settings as they are, if they meet (or fail, for `met` false) the parameter's condition; else, and after them, all
+/// ways of setting what the condition names.
+std::vector<Settings> arrangements(const Settings& settings, const std::string& key, bool met = true) {
+  Settings start = settings;
+  const Field& field = *find_param(start, key, "test").field;
+  const std::optional<Condition> condition = condition_of(field);
+  if (!condition) return {start};
+  std::vector<Settings> result;
+  if (holds(start, key, field, *condition) == met) result.push_back(start);
+  const std::string named = sibling_key(key, field, condition->name);
+  const Field& named_field = *find_param(start, named, "test").field;
+  const std::vector<std::string_view> booleans{"false", "true"};
+  const std::vector<std::string_view> choices(named_field.choices.begin(), named_field.choices.end());
+  for (const std::string_view choice : choices.empty() ? booleans : choices) {
+    Settings other = settings;
+    set_param_text(other, named, std::string(choice), "test");
+    if (holds(other, key, field, *condition) == met) result.push_back(other);
+  }
+  return result;
+}
+
+float changed_number(const Field& field, float value) {
+  const auto inside = [&](float candidate) {
+    return field.limits.low == field.limits.high || (candidate >= field.limits.low && candidate <= field.limits.high);
+  };
+  if (field.scale == Scale::log && value != 0.0F) return inside(value * 1.5F) ? value * 1.5F : value / 1.5F;
+  const auto step = static_cast<float>(0.13 * (field.slider.high - field.slider.low));
+  return inside(value + step) ? value + step : value - step;
+}
+
+/// Another value of the parameter. Errors (test): a type that it knows no other value for.
+Value changed(const Field& field, const Value& value, const std::string& other_mesh) {
+  if (const auto* boolean = std::get_if<bool>(&value)) return !*boolean;
+  if (const auto* integer = std::get_if<int>(&value)) return static_cast<int>(changed_number(field, static_cast<float>(*integer)));
+  if (const auto* real = std::get_if<float>(&value)) return changed_number(field, *real);
+  if (!field.choices.empty()) {
+    const auto here = std::find(field.choices.begin(), field.choices.end(), std::get<std::string>(value));
+    return std::string(here + 1 == field.choices.end() ? field.choices.front() : *(here + 1));
+  }
+  if (field.type == FieldType::text && field.is_path) return other_mesh;
+  if (field.type == FieldType::ramp) {
+    Ramp ramp = std::get<Ramp>(value);
+    for (RampStop& stop : ramp.stops) stop.colour *= 0.7F;
+    return ramp;
+  }
+  throw std::runtime_error("no other value is known for " + std::string(field.name));
+}
+
+/// Vectors count as three parameters.
+std::vector<std::string> all_keys(Settings settings) {
+  std::vector<std::string> keys;
+  for (const Param& param : list_params(settings)) {
+    const bool is_colour = param.field->type == FieldType::colour;
+    if (!is_colour && param.field->type != FieldType::vector) keys.push_back(param.key);
+    else for (const char component : std::string(is_colour ? "rgb" : "xyz")) keys.push_back(param.key + "." + component);
+  }
+  return keys;
+}
+
+std::array<Key, 10> stage_keys(const PassKeys& k) {
+  return {k.meshes, k.gbuffer, k.quantise, k.gradient, k.range, k.combine, k.shade, k.blinn_phong, k.ink, k.picture};
+}
+
+/// Differences of rounding do not count, nor single pixels of an edge.
+bool differ(const Image& a, const Image& b) {
+  if (a.samples.size() != b.samples.size() || a.width_px != b.width_px) return true;
+  int different = 0;
+  for (size_t i = 0; i < a.samples.size(); ++i) different += std::abs(a.samples[i] - b.samples[i]) > 1e-4F;
+  return different >= 3;
+}
+
+class ParamsLive : public testing::Test {
+ protected:
+  ParamsLive() {
+    first_mesh_ = folder_.write("first.obj", "v 0 0 0\nv 1 0 0.2\nv 0.1 1.3 0\nv 0.3 0.2 0.9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n").string();
+    other_mesh_ = folder_.write("other.obj", "v 0 0 0\nv 0.8 0.1 0\nv 0.2 1 0.1\nv 0.5 0.4 1.2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n").string();
+    rich_ = make_rich_scene();
+  }
+
+  /// All shapes, both kinds of light, ramps, a free background, and a floor that the near plane cuts.
+  Settings make_rich_scene() const;
+
+  bool keys_change(const Settings& before, const Settings& after) {
+    return stage_keys(pipeline_.keys(before)) != stage_keys(pipeline_.keys(after));
+  }
+  bool images_change(const Settings& before, const Settings& after) {
+    for (const BufferName buffer : {BufferName::shaded, BufferName::final, BufferName::depth, BufferName::normal,
+                                    BufferName::combined_edges, BufferName::depth_edges, BufferName::normal_edges,
+                                    BufferName::blinn_phong, BufferName::object_id}) {
+      if (differ(before_.raw(before, buffer), pipeline_.raw(after, buffer))) return true;
+    }
+    return false;
+  }
+  bool pictures_change(const Settings& before, const Settings& after) {
+    for (size_t i = 0; i < kBufferNames.size(); ++i) {
+      const auto buffer = static_cast<BufferName>(i);
+      if (before_.picture(before, buffer) != pipeline_.picture(after, buffer)) return true;
+    }
+    return false;
+  }
+  Settings with_change(const Settings& settings, const std::string& key) const {
+    Settings result = settings;
+    const Param param = find_param(result, key, "test");
+    param.set(changed(*param.field, param.value(), other_mesh_), "test");
+    return result;
+  }
+  bool is_live(const std::string& key) {
+    for (const Settings& arranged : arrangements(rich_, key)) {
+      const Settings after = with_change(arranged, key);
+      const bool live = key.starts_with("display.") ? !keys_change(arranged, after) && pictures_change(arranged, after)
+                                                    : keys_change(arranged, after) && images_change(arranged, after);
+      if (live) return true;
+    }
+    return false;
+  }
+
+  TempFolder folder_;
+  std::string first_mesh_, other_mesh_;
+  Settings rich_;
+  Pipeline before_;    // keeps the images that changes are compared with
+  Pipeline pipeline_;
+};
+
+Settings ParamsLive::make_rich_scene() const {
+  Settings settings;
+  settings.image = {112, 84, Precision::float32};
+  settings.camera = {{0.5F, 2.4F, 7.0F}, {0.2F, 0.3F, 0.1F}, {0.1F, 0.9F, 0.2F}, 45.0F, 4.9F, 20.0F};
+  settings.scene = {{0.1F, 0.15F, 0.2F}, {0.9F, 0.8F, 0.7F}};
+  for (size_t i = 0; i < ChoiceNames<Shape>::names.size(); ++i) {
+    ModelParams model{.name = std::string(ChoiceNames<Shape>::names[i]), .shape = static_cast<Shape>(i), .mesh = first_mesh_, .segments = 10};
+    const float column = static_cast<float>(i % 4);
+    model.position = {-2.0F + 1.4F * column, i < 4 ? 0.2F : 1.3F, i < 4 ? 1.0F : -1.5F};
+    model.rotation = {20.0F, 30.0F + 10.0F * column, 10.0F};
+    model.scale = {1.0F, 1.1F, 0.9F};
+    model.size = 1.1F;
+    model.material = {{0.6F, 0.5F, 0.4F}, 0.8F, 0.7F, 0.5F, 3.0F};
+    if (model.shape == Shape::plane) {
+      model.position = {0.0F, -0.5F, 0.0F};
+      model.rotation = {1.0F, 2.0F, 3.0F};
+      model.size = 12.0F;
+    }
+    settings.models.push_back(model);
+  }
+  LightParams sun{.name = "sun", .direction = {0.4F, 0.7F, 0.5F}, .position = {2.0F, 4.0F, 3.0F}};
+  sun.ambient = {0.02F, 0.03F, 0.04F};
+  LightParams lamp{.name = "lamp", .type = LightType::point, .direction = {-0.4F, 0.7F, 0.5F}, .position = {-2.0F, 3.0F, 4.0F}};
+  lamp.diffuse = lamp.specular = {0.5F, 0.4F, 0.3F};
+  settings.lights = {sun, lamp};
+  settings.ramp.diffuse.stops[2].stepped = false;
+  settings.ramp.specular.stops = {{0.0F, glm::vec3(0.0F), false}, {0.6F, glm::vec3(1.0F), true}};
+  return settings;
+}
+
+TEST_F(ParamsLive, every_parameter_changes_a_key_and_an_image) {
+  // A plane has no thickness, so its height cannot be stretched, and the middle of its base is its origin.
+  const std::vector<std::string> no_thickness{"model.plane.anchor", "model.plane.scale.y"};
+  const std::vector<std::string> keys = all_keys(rich_);
+  EXPECT_GT(keys.size(), 200U);
+  for (const std::string& key : keys) {
+    const bool exempt = std::find(no_thickness.begin(), no_thickness.end(), key) != no_thickness.end();
+    EXPECT_TRUE(exempt || is_live(key)) << key << " does nothing";
+  }
+}
+
+TEST_F(ParamsLive, every_part_of_a_ramp_changes_an_image) {
+  Picture strip(3, 1, 3, 90);
+  strip.at(1, 0, 0) = 200;
+  const std::string path = (folder_.path() / "ramp.png").string();
+  write_png(path, strip, {});
+  for (const std::string key : {"ramp.diffuse", "ramp.specular"}) {
+    const auto expect_live = [&](const std::string& part, const std::function<void(Ramp&)>& change) {
+      Settings after = rich_;
+      const Param param = find_param(after, key, "test");
+      Ramp ramp = std::get<Ramp>(param.value());
+      change(ramp);
+      param.set(ramp, "test");
+      EXPECT_TRUE(keys_change(rich_, after) && images_change(rich_, after)) << key << " " << part;
+    };
+    for (int c = 0; c < 3; ++c) expect_live("colour", [c](Ramp& ramp) { ramp.stops[1].colour[c] = 0.2F; });
+    expect_live("position", [](Ramp& ramp) { ramp.stops[1].position = 0.3F; });
+    expect_live("stepped", [](Ramp& ramp) { ramp.stops[0].stepped = !ramp.stops[0].stepped; });
+    expect_live("image", [&](Ramp& ramp) { ramp.image = path; });
+  }
+}
+
+TEST_F(ParamsLive, parameters_do_nothing_where_their_condition_fails) {
+  // Otherwise `matters_when` would grey out a slider that works.
+  for (const std::string& key : all_keys(rich_)) {
+    if (!condition_of(*find_param(rich_, key, "test").field)) continue;
+    // Meshes would need a file's bytes to differ; which of two files is not drawn makes no difference to any shape.
+    const Settings arranged = arrangements(rich_, key, false).front();
+    EXPECT_FALSE(images_change(arranged, with_change(arranged, key))) << key;
+  }
+}
+
+TEST_F(ParamsLive, notices_a_parameter_without_effect) {
+  // What keeps the first test honest: a change that no image shows counts as dead.
+  Settings after = rich_;
+  after.lights[0].position.x += 1.0F;  // of a directional light
+  EXPECT_FALSE(images_change(rich_, after));
+  after = rich_;
+  after.models[0].fillet = 0.3F;  // of a mesh
+  EXPECT_FALSE(images_change(rich_, after));
+}
+
+}  // namespace
+}  // namespace inkbench

@@ -1,0 +1,96 @@
+// What eight bits do to the buffers, and that the same settings give the same bits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pipeline/pipeline.h"
+#include "tests/gl/checks.h"
+#include "tests/gl/scenes.h"
+
+namespace inkbench {
+namespace {
+
+/// Whether each sample of `stored` is a level n / 255, and the level nearest to `value`; OpenGL leaves ties open.
+testing::AssertionResult is_stored(const Image& stored, const reference::Map& value) {
+  for (size_t i = 0; i < stored.samples.size(); ++i) {
+    const double level = stored.samples[i] * 255.0;
+    if (std::abs(level - std::round(level)) > 1e-4) return testing::AssertionFailure() << level << " is no level";
+    if (std::abs(level - value.samples[i] * 255.0) > 0.501) {
+      return testing::AssertionFailure() << "sample " << i << ": level " << level << " for " << value.samples[i] * 255.0;
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+struct Buffers {
+  Image normal, depth, normal_edges, depth_edges, combined_edges;
+};
+
+Buffers draw(const Settings& settings) {
+  Pipeline pipeline;
+  return {pipeline.raw(settings, BufferName::normal), pipeline.raw(settings, BufferName::depth),
+          pipeline.raw(settings, BufferName::normal_edges), pipeline.raw(settings, BufferName::depth_edges),
+          pipeline.raw(settings, BufferName::combined_edges)};
+}
+
+Settings eight_bits(Settings settings) {
+  settings.image.precision = Precision::unorm8;
+  return settings;
+}
+
+TEST(Precision, eight_bits_round_the_normal_and_depth_maps) {
+  const Buffers exact = draw(analytic_scene());
+  const Buffers stored = draw(eight_bits(analytic_scene()));
+  EXPECT_TRUE(is_stored(stored.normal, reference::to_map(exact.normal)));
+  EXPECT_TRUE(is_stored(stored.depth, reference::to_map(exact.depth)));
+}
+
+TEST(Precision, eight_bits_round_each_edge_buffer_from_the_one_before) {
+  const Settings settings = eight_bits(analytic_scene());
+  const Buffers stored = draw(settings);
+  EXPECT_TRUE(is_stored(stored.normal_edges, reference::gradient(reference::to_map(stored.normal))));
+  EXPECT_TRUE(is_stored(stored.depth_edges, reference::gradient(reference::to_map(stored.depth))));
+  const reference::Map sums =
+      reference::term_sum(reference::range(reference::to_map(stored.depth_edges)),
+                          reference::range(reference::to_map(stored.normal_edges)), settings.combine);
+  EXPECT_TRUE(is_stored(stored.combined_edges, reference::combine(sums, settings.combine)));
+}
+
+TEST(Precision, eight_bits_draw_lines_that_float_does_not) {
+  // One level of depth is nearly enough for a line: a slope that is smooth in float breaks into steps.
+  const Buffers exact = draw(paper_scene(160, 120));
+  const Buffers stored = draw(eight_bits(paper_scene(160, 120)));
+  EXPECT_GT(largest_difference(stored.combined_edges, exact.combined_edges), 0.5);
+}
+
+TEST(Precision, shading_does_not_depend_on_it) {
+  Pipeline pipeline;
+  const Image exact = pipeline.raw(analytic_scene(), BufferName::shaded);
+  EXPECT_EQ(largest_difference(pipeline.raw(eight_bits(analytic_scene()), BufferName::shaded), exact), 0.0);
+}
+
+TEST(Determinism, two_pipelines_give_the_same_bits) {
+  const Settings settings = paper_scene(203, 151);
+  Pipeline first;
+  Pipeline second;
+  second.raw(analytic_scene(), BufferName::final);  // what was drawn before leaves no trace
+  for (size_t i = 0; i < kBufferNames.size(); ++i) {
+    const auto buffer = static_cast<BufferName>(i);
+    EXPECT_TRUE(first.raw(settings, buffer) == second.raw(settings, buffer)) << name_of(buffer);
+    EXPECT_TRUE(first.picture(settings, buffer) == second.picture(settings, buffer)) << name_of(buffer);
+  }
+}
+
+TEST(Determinism, returning_to_earlier_settings_gives_the_same_bits) {
+  Settings settings = analytic_scene();
+  Pipeline pipeline;
+  const Image before = pipeline.raw(settings, BufferName::final);
+  Settings other = settings;
+  other.camera.eye.x += 1.0F;
+  other.combine.k_depth = 0.01F;
+  pipeline.raw(other, BufferName::final);
+  EXPECT_TRUE(pipeline.raw(settings, BufferName::final) == before);
+}
+
+}  // namespace
+}  // namespace inkbench

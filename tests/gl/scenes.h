@@ -1,0 +1,18 @@
+// Scenes for the GL tests.
+#pragma once
+
+#include "pipeline/scene/settings.h"
+
+namespace inkbench {
+
+/// A floor, a sphere and a turned box, seen from above with a tilted camera; exact for the CPU's ray caster. One
+/// directional and one point light; stepped and smooth ramps. 161 x 117 px.
+Settings analytic_scene();
+
+/// The paper's scene from data/scenes/paper.toml, the rabbit included.
+Settings paper_scene(int width_px, int height_px);
+
+/// The sphere alone in front of the background, small and quick.
+Settings small_scene();
+
+}  // namespace inkbench
