@@ -18,13 +18,23 @@ GridAxis axis_labels(const StudySpec& spec, size_t index) {
   return labels;
 }
 
+/// A study of a single cell has its buffers for columns; else a cell holds them all, side by side.
+bool buffers_are_columns(const StudySpec& spec) {
+  return cell_count(spec) == 1 && spec.show.size() > 1;
+}
+
+std::vector<std::string> shown_names(const StudySpec& spec) {
+  std::vector<std::string> names;
+  for (const BufferName buffer : spec.show) names.emplace_back(name_of(buffer));
+  return names;
+}
+
 GridLayout make_layout(const StudySpec& spec) {
   GridLayout layout;
   layout.title = spec.title;
-  std::vector<std::string> shown;
-  for (const BufferName buffer : spec.show) shown.emplace_back(name_of(buffer));
   const ImageParams& image = spec.base.image;
-  layout.subtitle = join(shown, ", ") + " at " + std::to_string(image.width) + " x " + std::to_string(image.height) + " px";
+  const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height) + " px";
+  layout.subtitle = join(shown_names(spec), ", ") + " at " + size;
   layout.columns = axis_labels(spec, 0);
   layout.rows = axis_labels(spec, 1);
   layout.pages = axis_labels(spec, 2);
@@ -32,7 +42,11 @@ GridLayout make_layout(const StudySpec& spec) {
     layout.columns.values.clear();
     for (const Variant& variant : spec.variants) layout.columns.values.push_back(variant.name);
   }
-  const int count = static_cast<int>(spec.show.size());
+  const int count = buffers_are_columns(spec) ? 1 : static_cast<int>(spec.show.size());
+  if (buffers_are_columns(spec)) {
+    layout.columns = {"", shown_names(spec)};
+    layout.subtitle = size;
+  }
   layout.cell_width_px = spec.base.image.width * count + kGapPx * (count - 1);
   layout.cell_height_px = spec.base.image.height;
   return layout;
@@ -61,6 +75,10 @@ std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const
   const auto cell_picture = [&](int column, int row, int page) -> std::optional<Picture> {
     const size_t columns = layout.columns.values.size();
     const size_t index = (static_cast<size_t>(page) * layout.rows.values.size() + row) * columns + column;
+    if (buffers_are_columns(spec)) {
+      if (!folder.is_done(0)) return std::nullopt;
+      return read_picture(folder.path() / folder.cell_file(0, spec.show[static_cast<size_t>(column)]), 3);
+    }
     if (!folder.is_done(index)) return std::nullopt;
     Picture picture(layout.cell_width_px, layout.cell_height_px, 3, 255);
     int x = 0;

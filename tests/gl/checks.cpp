@@ -28,6 +28,17 @@ Image make_image(int width_px, int height_px, const std::function<double(int x, 
   return image;
 }
 
+Image with_depth(const Image& normal, const Image& depth) {
+  Image both(normal.width_px, normal.height_px, 4);
+  for (int y = 0; y < both.height_px; ++y) {
+    for (int x = 0; x < both.width_px; ++x) {
+      for (int c = 0; c < 3; ++c) both.at(x, y, c) = normal.at(x, y, c);
+      both.at(x, y, 3) = depth.at(x, y);
+    }
+  }
+  return both;
+}
+
 Texture to_texture(const Image& image) {
   const int channels = image.channels == 3 ? 4 : image.channels;
   Image padded(image.width_px, image.height_px, channels, 1.0F);

@@ -23,6 +23,9 @@ Image noise(int width_px, int height_px, int channels, uint32_t seed, float low 
 /// One channel, `value(x, y)`.
 Image make_image(int width_px, int height_px, const std::function<double(int x, int y)>& value);
 
+/// A normal map with a depth map in its alpha, as the edge passes read them.
+Image with_depth(const Image& normal, const Image& depth);
+
 /// A texture that holds the image: 1 channel r32f, 2 rg32f, 4 rgba32f; 3 channels go to rgba32f with alpha 1.
 Texture to_texture(const Image& image);
 

@@ -1,8 +1,8 @@
 // The G-buffer against exact rays through the pixels' centres (3.4.1, 3.4.2).
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <glm/geometric.hpp>
+#include <algorithm>
+#include <set>
 
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
@@ -63,6 +63,27 @@ TEST(GBuffer, normals_of_a_stretched_sphere_stay_perpendicular) {
   const ImageOf<uint8_t> outlines = reference::outlines(expected);
   EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::depth), expected.depth, 4.0 * kDepthTolerance, &outlines));
   EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::normal), expected.normal, 6.0 * kNormalTolerance, &outlines));
+}
+
+TEST(GBuffer, shows_the_inside_of_closed_shapes_to_an_eye_inside) {
+  Settings settings = analytic_scene();
+  settings.models = {settings.models[1], settings.models[2]};
+  settings.models[0].size = 16.0F;  // around everything
+  settings.models[0].anchor = Anchor::origin;
+  Pipeline pipeline;
+  const reference::Surface expected = reference::cast_rays(settings);
+  const ImageOf<uint8_t> outlines = reference::outlines(expected);
+  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::object_id), expected.object_id, 0.0, &outlines));
+  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::depth), expected.depth, 8.0 * kDepthTolerance, &outlines));
+  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::normal), expected.normal, kNormalTolerance, &outlines));
+}
+
+TEST(GBuffer, shows_the_inside_of_shapes_that_the_near_plane_cuts) {
+  Settings settings = analytic_scene();
+  for (const float near : {5.0F, 5.5F, 6.0F, 6.5F, 7.0F}) {
+    settings.camera.near = near;
+    expect_rays(settings);
+  }
 }
 
 TEST(GBuffer, depth_is_the_papers_linearisation_over_far) {

@@ -54,8 +54,8 @@ TEST(Keys, ramps_lights_and_materials_run_no_edge_pass) {
   const Names expected{"shade", "ink"};
   EXPECT_EQ(passes_after([](Settings& s) { s.ramp.enabled = false; }), expected);
   EXPECT_EQ(passes_after([](Settings& s) { s.ramp.diffuse.stops[1].position = 0.3F; }), expected);
-  EXPECT_EQ(passes_after([](Settings& s) { s.ramp.specular.stops[1].colour.g = 0.5F; }), expected);
-  EXPECT_EQ(passes_after([](Settings& s) { s.lights[0].diffuse.r = 0.5F; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.ramp.specular.stops[1].colour.y = 0.5F; }), expected);
+  EXPECT_EQ(passes_after([](Settings& s) { s.lights[0].diffuse.x = 0.5F; }), expected);
   EXPECT_EQ(passes_after([](Settings& s) { s.lights.push_back({.name = "second"}); }), expected);
   EXPECT_EQ(passes_after([](Settings& s) { s.lights.clear(); }), expected);
   EXPECT_EQ(passes_after([](Settings& s) { s.models[0].material.exponent = 5.0F; }), expected);
@@ -63,7 +63,7 @@ TEST(Keys, ramps_lights_and_materials_run_no_edge_pass) {
 }
 
 TEST(Keys, ink_colour_runs_ink) {
-  EXPECT_EQ(passes_after([](Settings& s) { s.ink.colour.r = 0.5F; }), Names{"ink"});
+  EXPECT_EQ(passes_after([](Settings& s) { s.ink.colour.x = 0.5F; }), Names{"ink"});
 }
 
 TEST(Keys, camera_models_and_size_run_everything) {

@@ -2,6 +2,8 @@
 // of the passes as they are, and docs may quote it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pipeline/pipeline.h"
@@ -19,7 +21,7 @@ struct Edges {
 
 Edges find_edges(const Image& normal, const Image& depth, const CombineParams& params = {}) {
   const GeneratedSources generated = generated_sources();
-  const Texture gradient = GradientPass(generated).run(to_texture(normal), to_texture(depth), Precision::float32);
+  const Texture gradient = GradientPass(generated).run(to_texture(with_depth(normal, depth)), Precision::float32);
   const Texture range = RangePass(generated).run(gradient);
   const Texture combined = CombinePass(generated).run(params, range, Precision::float32);
   return {gradient.read(0, 2), range.read(0, 2), combined.read(0, 1)};

@@ -83,6 +83,29 @@ TEST(Shade, equals_reference_with_many_lights) {
   expect_reference(settings);
 }
 
+TEST(Shade, too_many_lights_or_models_are_an_input_error) {
+  Settings settings = small_scene();
+  for (int i = 0; i < kMaxLights; ++i) settings.lights.push_back({.name = "light" + std::to_string(i)});
+  Pipeline pipeline;
+  EXPECT_NE(input_error_of([&] { pipeline.raw(settings, BufferName::shaded); }).find("65 lights"), std::string::npos);
+  settings.lights.pop_back();
+  EXPECT_NO_THROW(pipeline.raw(settings, BufferName::shaded));
+}
+
+TEST(Shade, last_of_the_lights_and_materials_that_fit_is_used) {
+  Settings settings = small_scene();
+  settings.ramp.enabled = false;
+  const Image expected = Pipeline().raw(settings, BufferName::shaded);
+  LightParams dark{.name = "dark"};
+  dark.diffuse = dark.specular = glm::vec3(0.0F);
+  settings.lights.insert(settings.lights.begin(), kMaxLights - 1, dark);
+  for (int i = 0; i + 1 < kMaxLights; ++i) settings.lights[i].name += std::to_string(i);
+  ModelParams hidden{.visible = false, .shape = Shape::box};
+  settings.models.insert(settings.models.begin(), kMaxModels - 1, hidden);
+  for (int i = 0; i + 1 < kMaxModels; ++i) settings.models[i].name = "hidden" + std::to_string(i);
+  EXPECT_TRUE(is_near(Pipeline().raw(settings, BufferName::shaded), expected, 1e-6));
+}
+
 TEST(Shade, without_lights_shows_global_ambient_light) {
   Settings settings = analytic_scene();
   settings.lights.clear();

@@ -83,12 +83,6 @@ TEST_F(Shaders, uniform_block_that_nobody_supplies_is_an_error) {
   EXPECT_TRUE(contains(error, "'wrong_block'")) << error;
 }
 
-TEST_F(Shaders, storage_block_that_nobody_supplies_is_an_error) {
-  const std::string error = error_of("#version 450 core\nlayout(std430) readonly buffer wrong_list { float values[]; };\nout vec4 colour;\nvoid main() { colour = vec4(values[0]); }\n",
-                                     {.storage_blocks = {"light_list"}});
-  EXPECT_TRUE(contains(error, "'wrong_list'")) << error;
-}
-
 TEST_F(Shaders, parameter_without_description_is_no_member) {
   const std::string error = error_of("#version 450 core\n#include \"generated/combine.glsl\"\nout vec4 colour;\nvoid main() {\n  colour = vec4(combine.k_dpeth);\n}\n",
                                      {.uniform_blocks = {"combine_block"}});
