@@ -3,6 +3,8 @@
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "pipeline/base/error.h"
@@ -32,7 +34,11 @@ int run(int argc, char** argv) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
     std::string text = error.what();
-    if (error.get_name() == "RequiredError" && app.get_subcommands().empty()) text = "which command? render, study, params or info";
+    if (error.get_name() == "RequiredError" && app.get_subcommands().empty()) {
+      const std::vector<std::string> words = app.remaining();
+      text = (words.empty() ? "which command?" : "there is no '" + words.front() + "'; which command?") +
+             " render, study, params or info";
+    }
     return fail(text + "; `inkbench --help` shows how it is used", 2);
   }
 }

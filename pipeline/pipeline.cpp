@@ -210,6 +210,7 @@ Image Pipeline::raw(const Settings& settings, BufferName buffer) {
 void Pipeline::forget_results() {
   gbuffer_.forget();
   for (Stage<Texture>* stage : {&quantised_, &gradient_, &range_, &combined_, &shaded_, &blinn_phong_, &final_}) stage->forget();
+  clear_texture_pool();
 }
 
 std::map<std::string, StageCount> Pipeline::counts() const {

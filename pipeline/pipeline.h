@@ -49,7 +49,7 @@ class Pipeline {
   /// Computes the buffer without reading it back.
   void draw(const Settings& settings, BufferName buffer);
 
-  /// Drops every stage's value, so that the next call runs each pass it needs; meshes and programs stay.
+  /// Drops every stage's value and its memory, so that the next call runs each pass it needs; meshes and programs stay.
   void forget_results();
 
   PassKeys keys(const Settings& settings);

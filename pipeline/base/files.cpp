@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -34,6 +36,22 @@ std::string reason(int error_number) {
   }
 }
 
+constexpr std::string_view kTemporaryMark = ".part";
+
+/// Whether the name is a temporary one ("grid.png.part812-3") whose writer, by its process id, no longer runs. Our own
+/// id counts as that of an earlier process: in a container every run may have the same.
+bool is_abandoned(const std::string& name) {
+  const size_t mark = name.rfind(kTemporaryMark);
+  if (mark == std::string::npos) return false;
+  int process = 0;
+  int count = 0;
+  int length = 0;
+  const std::string rest = name.substr(mark + kTemporaryMark.size());
+  const bool fits = std::sscanf(rest.c_str(), "%d-%d%n", &process, &count, &length) == 2 && length == static_cast<int>(rest.size());
+  if (!fits || process <= 0) return false;
+  return process == getpid() || (kill(process, 0) != 0 && errno == ESRCH);
+}
+
 std::vector<fs::path> project_roots() {
   std::vector<fs::path> roots;
   if (const char* root = std::getenv("INKBENCH_ROOT"); root != nullptr && *root != '\0') roots.emplace_back(root);
@@ -51,6 +69,9 @@ std::string read_file(const fs::path& path) {
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw input_error(path.string(), "no such file");
   if (fs::is_directory(status)) throw input_error(path.string(), "is a folder", "a file is needed");
+  if (fs::is_character_file(status) || fs::is_block_file(status)) {
+    throw input_error(path.string(), "is a device", "a file is needed");
+  }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw input_error(path.string(), "cannot be opened", reason(errno));
   std::ostringstream content;
@@ -62,7 +83,7 @@ std::string read_file(const fs::path& path) {
 PendingFile::PendingFile(const fs::path& path) : path_(path) {
   static std::atomic<unsigned> counter = 0;
   temporary_ = path;
-  temporary_ += ".part" + std::to_string(getpid()) + "-" + std::to_string(counter++);
+  temporary_ += std::string(kTemporaryMark) + std::to_string(getpid()) + "-" + std::to_string(counter++);
   descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw work_error(path.string(), "cannot be written", reason(errno));
 }
@@ -104,11 +125,20 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
   });
 }
 
+void remove_abandoned_files(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> abandoned;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (is_abandoned(entry->path().filename().string())) abandoned.push_back(entry->path());
+  }
+  for (const fs::path& path : abandoned) fs::remove(path, error);
+}
+
 void make_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
-  if (fs::is_directory(path)) return;
   const int number = error ? error.value() : ENOTDIR;
+  if (fs::is_directory(path, error)) return;
   throw work_error(path.string(), "this folder cannot be made", reason(number));
 }
 

@@ -43,6 +43,9 @@ class PendingFile {
   bool committed_ = false;
 };
 
+/// Removes the temporary files in the folder (not below it) that writers left who were killed.
+void remove_abandoned_files(const fs::path& folder);
+
 /// Makes the folder and its parents. Errors (work): says why it cannot be made or written to.
 void make_folder(const fs::path& path);
 

@@ -136,6 +136,9 @@ void enable_debug_output() {
 void throw_gl_errors(const std::string& where) {
   if (reported_errors().empty()) return;
   const std::string errors = std::exchange(reported_errors(), "");
+  if (errors.find("OUT_OF_MEMORY") != std::string::npos) {
+    throw work_error(where, "the renderer has not enough memory for it", "choose a smaller image or mesh");
+  }
   throw work_error(where, "OpenGL reported: " + errors);
 }
 

@@ -231,11 +231,16 @@ void PngStripWriter::write(const Picture& strip) {
   State& s = *state_;
   assert(strip.width_px == s.width_px && strip.channels == s.channels);
   assert(s.rows_written + strip.height_px <= s.height_px);
-  const int end = s.rows_written + strip.height_px;
-  const bool good = s.output->write_scanlines(s.rows_written, end, 0, TypeDesc::UINT8, strip.samples.data());
-  s.file.check();
-  if (!good) throw work_error(s.path.string(), "cannot be encoded", one_line(s.output->geterror()));
-  s.rows_written = end;
+  // A few rows at a time: OpenImageIO copies what it is given before it encodes it.
+  constexpr int kRows = 64;
+  for (int row = 0; row < strip.height_px; row += kRows) {
+    const int end = s.rows_written + std::min(kRows, strip.height_px - row);
+    const uint8_t* from = &strip.samples[strip.index(0, row)];
+    const bool good = s.output->write_scanlines(s.rows_written, end, 0, TypeDesc::UINT8, from);
+    s.file.check();
+    if (!good) throw work_error(s.path.string(), "cannot be encoded", one_line(s.output->geterror()));
+    s.rows_written = end;
+  }
 }
 
 void PngStripWriter::finish() {

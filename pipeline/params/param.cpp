@@ -21,4 +21,9 @@ void Param::set(const Value& new_value, const std::string& where) const {
   field->set(owner, whole);
 }
 
+bool Param::overlaps(const Param& other) const {
+  const bool one_is_whole = component < 0 || other.component < 0;
+  return owner == other.owner && field == other.field && (one_is_whole || component == other.component);
+}
+
 }  // namespace inkbench

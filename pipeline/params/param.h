@@ -24,6 +24,8 @@ struct Param {
   Value value() const;
   /// Errors (input), all naming `where` and the key: out of range, not one of the choices.
   void set(const Value& value, const std::string& where) const;
+  /// Whether setting one changes the other: the same parameter (".x" is ".r"), or a vector and its component.
+  bool overlaps(const Param& other) const;
 };
 
 }  // namespace inkbench

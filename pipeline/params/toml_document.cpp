@@ -9,8 +9,43 @@
 namespace inkbench {
 namespace {
 
+constexpr int kMaxKeyParts = 16;
+
 std::string place(const std::string& name, int line) {
   return name + ":" + std::to_string(line);
+}
+
+/// Where the string that opens at `begin` closes; the end of its line or of the text where it does not.
+size_t string_end(std::string_view text, size_t begin) {
+  const char quote = text[begin];
+  const bool is_long = text.substr(begin, 3) == std::string(3, quote);
+  const std::string_view closing = text.substr(begin, is_long ? 3 : 1);
+  for (size_t i = begin + closing.size(); i < text.size(); ++i) {
+    if (quote == '"' && text[i] == '\\') {
+      ++i;
+    } else if (text.substr(i, closing.size()) == closing) {
+      return i + closing.size() - 1;
+    } else if (text[i] == '\n' && !is_long) {
+      return i - 1;
+    }
+  }
+  return text.size() - 1;
+}
+
+/// toml++ limits how deep values nest but not how many parts a dotted key has, and recurses into each: a long one would
+/// overflow the stack. Errors (input): a key of more parts than any parameter has.
+void check_key_lengths(std::string_view text, const std::string& name) {
+  int parts = 1;
+  int line = 1;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const size_t begin = i;
+    if (text[i] == '"' || text[i] == '\'') i = string_end(text, i);
+    if (text[i] == '#') i = std::min(text.find('\n', i), text.size()) - 1;
+    line += static_cast<int>(std::count(text.begin() + begin, text.begin() + i + 1, '\n'));
+    if (text[i] == '.') ++parts;
+    if (std::string_view("=,[]{}\n").find(text[i]) != std::string_view::npos) parts = 1;
+    if (parts > kMaxKeyParts) throw input_error(place(name, line), "a key of too many parts", "at most " + std::to_string(kMaxKeyParts));
+  }
 }
 
 TomlNode convert(const toml::node& source, const std::string& name);
@@ -75,6 +110,7 @@ std::string TomlNode::kind_name() const {
 }
 
 TomlNode parse_toml(std::string_view text, const std::string& name) {
+  check_key_lengths(text, name);
   try {
     const toml::table table = toml::parse(text);
     return convert_table(table, name);

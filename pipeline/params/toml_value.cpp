@@ -50,7 +50,6 @@ std::optional<glm::vec3> as_vector(const TomlNode& node, bool is_colour) {
 }
 
 std::string absolute_path(const std::string& text, const std::string& folder) {
-  if (text.empty() || text == "rabbit") return text;
   return std::filesystem::absolute(std::filesystem::path(folder) / text).lexically_normal().string();
 }
 
@@ -109,11 +108,21 @@ std::optional<Value> convert(const Field& field, int component, const TomlNode& 
       return node.is_text() ? std::optional<Value>(node.text) : std::nullopt;
     case FieldType::text:
       if (!node.is_text()) return std::nullopt;
-      return Value(field.is_path ? absolute_path(node.text, folder) : node.text);
+      if (!field.is_path || node.text.empty() || node.text == "rabbit") return Value(node.text);
+      return Value(absolute_path(node.text, folder));
     case FieldType::ramp:
       return wrap(as_ramp(node, folder));
   }
   return std::nullopt;
+}
+
+/// A word without quotes as text. Errors (input): it is not UTF-8, so no TOML could hold it.
+TomlNode bare_text(const Param& param, const std::string& word, const std::string& where) {
+  try {
+    return *parse_toml("value = " + to_text(Value(word)), where).find("value");
+  } catch (const Error&) {
+    throw input_error(where, param.key + " is not UTF-8 text");
+  }
 }
 
 void check_number(const Field& field, const std::string& key, double number, const std::string& where) {
@@ -186,9 +195,7 @@ Value value_from_toml(const Param& param, const TomlNode& node, const std::strin
 Value value_from_text(const Param& param, const std::string& text, const std::string& where) {
   const std::string trimmed(trim(text));
   const FieldType type = param.field->type;
-  TomlNode bare;
-  bare.kind = Kind::text;
-  bare.text = trimmed;
+  const TomlNode bare = bare_text(param, trimmed, where);
   if (type == FieldType::choice && !trimmed.starts_with('"')) return value_from_toml(param, bare, where, ".");
   const bool is_list = trimmed.find(',') != std::string::npos && !trimmed.starts_with('[') && !trimmed.starts_with('"');
   const bool is_vector = type == FieldType::vector || type == FieldType::colour;

@@ -21,12 +21,47 @@ int component_of(const std::string& key, const Field& field) {
   return place == std::string_view::npos ? -1 : static_cast<int>(place % 3);
 }
 
-std::optional<Param> lookup(const std::vector<Param>& params, const std::string& key) {
-  for (const Param& param : params) {
-    if (param.key == key) return param;
-    const bool is_prefix = key.size() == param.key.size() + 2 && key.starts_with(param.key) && key[param.key.size()] == '.';
-    const int component = is_prefix ? component_of(key, *param.field) : -1;
-    if (component >= 0) return Param{key, param.field, param.owner, component};
+/// The groups of the models and lights that `wanted(prefix)` names, and all others.
+template <class Wanted>
+std::vector<ParamGroup> groups_where(Settings& settings, const Wanted& wanted) {
+  std::vector<ParamGroup> groups;
+  const auto add = [&](const std::string& prefix, const Description& description, void* owner) {
+    groups.push_back({prefix, &description, owner});
+  };
+  add("image", ImageParams::description(), &settings.image);
+  add("camera", CameraParams::description(), &settings.camera);
+  add("scene", SceneParams::description(), &settings.scene);
+  for (ModelParams& model : settings.models) {
+    if (!wanted("model", model.name)) continue;
+    add("model." + model.name, ModelParams::description(), &model);
+    add("model." + model.name + ".material", MaterialParams::description(), &model.material);
+  }
+  for (LightParams& light : settings.lights) {
+    if (wanted("light", light.name)) add("light." + light.name, LightParams::description(), &light);
+  }
+  add("ramp", RampParams::description(), &settings.ramp);
+  add("combine", CombineParams::description(), &settings.combine);
+  add("ink", InkParams::description(), &settings.ink);
+  add("display", DisplayParams::description(), &settings.display);
+  return groups;
+}
+
+/// Looks only into the groups that the key can be in: a study looks up keys by the million, a scene may have
+/// thousands of models.
+std::optional<Param> lookup(Settings& settings, const std::string& key) {
+  const auto is_named = [&](std::string_view list, const std::string& name) {
+    const size_t end = list.size() + 1 + name.size();
+    return key.size() > end && key[end] == '.' && key.starts_with(list) && key.compare(list.size() + 1, name.size(), name) == 0;
+  };
+  for (const ParamGroup& group : groups_where(settings, is_named)) {
+    if (!key.starts_with(group.prefix) || key.size() <= group.prefix.size() || key[group.prefix.size()] != '.') continue;
+    const std::string_view rest = std::string_view(key).substr(group.prefix.size() + 1);
+    for (const Field& field : group.description->fields) {
+      if (rest == field.name) return Param{key, &field, group.owner, -1};
+      const bool is_prefix = rest.size() == field.name.size() + 2 && rest.starts_with(field.name) && rest[field.name.size()] == '.';
+      const int component = is_prefix ? component_of(key, field) : -1;
+      if (component >= 0) return Param{key, &field, group.owner, component};
+    }
   }
   return std::nullopt;
 }
@@ -45,23 +80,7 @@ void check_names_differ(const Settings& settings) {
 }  // namespace
 
 std::vector<ParamGroup> list_groups(Settings& settings) {
-  std::vector<ParamGroup> groups;
-  const auto add = [&](const std::string& prefix, const Description& description, void* owner) {
-    groups.push_back({prefix, &description, owner});
-  };
-  add("image", ImageParams::description(), &settings.image);
-  add("camera", CameraParams::description(), &settings.camera);
-  add("scene", SceneParams::description(), &settings.scene);
-  for (ModelParams& model : settings.models) {
-    add("model." + model.name, ModelParams::description(), &model);
-    add("model." + model.name + ".material", MaterialParams::description(), &model.material);
-  }
-  for (LightParams& light : settings.lights) add("light." + light.name, LightParams::description(), &light);
-  add("ramp", RampParams::description(), &settings.ramp);
-  add("combine", CombineParams::description(), &settings.combine);
-  add("ink", InkParams::description(), &settings.ink);
-  add("display", DisplayParams::description(), &settings.display);
-  return groups;
+  return groups_where(settings, [](std::string_view, const std::string&) { return true; });
 }
 
 std::vector<Param> list_params(Settings& settings) {
@@ -75,14 +94,13 @@ std::vector<Param> list_params(Settings& settings) {
 }
 
 bool has_param(Settings& settings, const std::string& key) {
-  return lookup(list_params(settings), key).has_value();
+  return lookup(settings, key).has_value();
 }
 
 Param find_param(Settings& settings, const std::string& key, const std::string& where) {
-  const std::vector<Param> params = list_params(settings);
-  if (const std::optional<Param> param = lookup(params, key)) return *param;
+  if (const std::optional<Param> param = lookup(settings, key)) return *param;
   std::vector<std::string> keys;
-  for (const Param& param : params) keys.push_back(param.key);
+  for (const Param& param : list_params(settings)) keys.push_back(param.key);
   const std::string nearest = suggest(key, keys);
   throw input_error(where, "unknown parameter '" + key + "'",
                     nearest.empty() ? "`inkbench params` lists them all" : nearest);

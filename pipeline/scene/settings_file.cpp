@@ -50,17 +50,17 @@ std::string checked_name(const TomlNode& item, const std::string& list, const So
   return name->text;
 }
 
-/// Sets every leaf below `table` whose key starts with `prefix`.
+bool is_group(Settings& settings, const std::string& prefix) {
+  const std::vector<ParamGroup> groups = list_groups(settings);
+  return prefix == "model" || prefix == "light" ||
+         std::any_of(groups.begin(), groups.end(), [&](const ParamGroup& group) { return group.prefix == prefix; });
+}
+
+/// Sets every value below `table`, whose own key is `prefix`.
 void apply_entries(Settings& settings, const TomlNode& table, const std::string& prefix, const Source& source) {
-  for (const auto& [name, node] : table.entries) {
-    const std::string key = prefix.empty() ? name : prefix + "." + name;
-    if (node.is_table() && !has_param(settings, key)) {
-      apply_entries(settings, node, key, source);
-      continue;
-    }
-    const Param param = find_param(settings, key, source.at(node));
+  visit_table(settings, table, prefix, source.name, [&](const Param& param, const TomlNode& node) {
     param.set(value_from_toml(param, node, source.at(node), source.folder.string()), source.at(node));
-  }
+  });
 }
 
 /// One [[model]] or [[light]] list: a new name adds one, a name that the base scene has changes it.
@@ -88,6 +88,9 @@ void apply_list(Settings& settings, std::vector<Item>& items, const std::string&
 }
 
 void apply_document(Settings& settings, const TomlNode& document, const Source& source) {
+  if (const TomlNode* title = document.find("title"); title != nullptr && !title->is_text()) {
+    throw input_error(source.at(*title), "title is " + title->kind_name(), "it must be text");
+  }
   TomlNode rest = document;
   std::erase_if(rest.entries, [](const auto& entry) { return entry.first == "base" || entry.first == "title"; });
   for (const char* list : {"model", "light"}) {
@@ -132,6 +135,30 @@ Settings parse_settings(std::string_view text, const std::string& name, const fs
 
 void apply_table(Settings& settings, const TomlNode& table, const std::string& name, const fs::path& folder) {
   apply_entries(settings, table, "", {name, folder, {}});
+}
+
+void visit_table(Settings& settings, const TomlNode& table, const std::string& prefix, const std::string& name,
+                 const ParamVisitor& visit) {
+  std::vector<Param> seen;
+  for (const auto& [part, node] : table.entries) {
+    const std::string key = prefix.empty() ? part : prefix + "." + part;
+    const std::string where = name + ":" + std::to_string(node.line);
+    if (part.find('.') != std::string::npos) {
+      throw input_error(where, "the key '" + part + "' is quoted, so its dots do not separate parts", "leave the quotes out");
+    }
+    const bool is_empty_group = node.is_table() && node.entries.empty() && is_group(settings, key);
+    if (is_empty_group) continue;
+    if (node.is_table() && !node.entries.empty()) {
+      visit_table(settings, node, key, name, visit);
+      continue;
+    }
+    const Param param = find_param(settings, key, where);
+    for (const Param& other : seen) {
+      if (param.overlaps(other)) throw input_error(where, key + " and " + other.key + " are the same", "give one of them");
+    }
+    seen.push_back(param);
+    visit(param, node);
+  }
 }
 
 std::string settings_text(const Settings& settings) {

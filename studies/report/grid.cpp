@@ -72,18 +72,28 @@ class SheetPainter {
     for (size_t first = 0; first < sheet_.slots.size();) {
       size_t end = first;
       while (end < sheet_.slots.size() && sheet_.slots[end].y_px == sheet_.slots[first].y_px) ++end;
+      write_text_down_to(sheet_.slots[first].y_px - plan_.frame_px, writer);
       begin_strip(sheet_.slots[first].y_px + plan_.cell_height_px + plan_.frame_px);
       for (; first < end; ++first) paint_cell(sheet_.slots[first]);
       writer.write(strip_);
     }
-    begin_strip(sheet_.height_px);
-    writer.write(strip_);
+    write_text_down_to(sheet_.height_px, writer);
   }
 
  private:
+  /// The rows without cells, a few at a time: a large sheet's head is higher than its cells.
+  void write_text_down_to(int end, PngStripWriter& writer) {
+    constexpr int kRows = 128;
+    while (top_ + strip_.height_px < end) {
+      begin_strip(std::min(end, top_ + strip_.height_px + kRows));
+      writer.write(strip_);
+    }
+  }
+
   /// The strip from the last one's end to `end`, white, with all text that reaches into it.
   void begin_strip(int end) {
     top_ += strip_.height_px;
+    strip_ = {};  // first, so that two strips never stand in memory at once
     strip_ = Picture(sheet_.width_px, end - top_, 3, 255);
     for (const GridLine& line : sheet_.lines) {
       const int reach = line.upwards ? text_width_px(line.text, line.style.size_px, line.style.face) : 0;

@@ -88,7 +88,8 @@ class SpecReader {
     if (node == nullptr) return project_file("data/scenes/paper.toml");
     const std::string scene = text_of(*node, "scene");
     for (const fs::path& candidate : {path_.parent_path() / scene, project_root() / scene}) {
-      if (fs::exists(candidate)) return candidate;
+      std::error_code error;
+      if (fs::is_regular_file(candidate, error)) return candidate;
     }
     throw input_error(at(*node), "scene \"" + scene + "\" was not found",
                       "give a path relative to this file or to " + project_root().string());
@@ -128,7 +129,9 @@ class SpecReader {
       axis.key = text_of(*key, "key");
       const Param param = find_param(spec_.base, axis.key, at(*key));
       for (const Axis& other : spec_.axes) {
-        if (other.key == axis.key) throw input_error(at(*key), "a second axis over " + axis.key, "each axis needs another key");
+        if (param.overlaps(find_param(spec_.base, other.key, at(*key)))) {
+          throw input_error(at(*key), "a second axis over " + other.key, "each axis needs another key");
+        }
       }
       const TomlNode* label = table->find("label");
       axis.label = label == nullptr ? axis.key.substr(axis.key.rfind('.') + 1) : text_of(*label, "label");
@@ -152,9 +155,8 @@ class SpecReader {
     return values;
   }
 
-  Value checked(const Param& param, const Value& value, const std::string& where) const {
-    Settings scratch = spec_.base;
-    find_param(scratch, param.key, where).set(value, where);
+  static Value checked(const Param& param, const Value& value, const std::string& where) {
+    check_value(*param.field, param.key, value, where);
     return value;
   }
 
@@ -185,15 +187,16 @@ class SpecReader {
                         "give values instead");
     }
     if (count < 1 || count > kMaxAxisCount || count != std::floor(count)) {
-      throw input_error(at(*table.find("count")), "count = " + shortest(count), "it must be a whole number from 1 on");
+      throw input_error(at(*table.find("count")), "count = " + shortest(count), "it must be a whole number from 1 to " + with_commas(kMaxAxisCount));
     }
+    for (const double end : {from, to}) checked(param, static_cast<float>(end), at(table));
     if (log && (from <= 0 || to <= 0)) throw input_error(at(table), "a log axis from " + shortest(from) + " to " + shortest(to), "both must be above 0");
     std::vector<Value> values;
     for (int i = 0; i < static_cast<int>(count); ++i) {
       const double t = count > 1 ? i / (count - 1) : 0.0;
       const double number = i == count - 1 && count > 1 ? to : log ? from * std::pow(to / from, t) : from + (to - from) * t;
       const Value value = integer ? Value(static_cast<int>(std::lround(number))) : Value(static_cast<float>(number));
-      if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(checked(param, value, at(table)));
+      if (values.empty() || values.back() != value) values.push_back(checked(param, value, at(table)));
     }
     return values;
   }
@@ -208,30 +211,31 @@ class SpecReader {
       for (const Variant& other : spec_.variants) {
         if (other.name == variant.name) throw input_error(at(*name), "a second variant is named \"" + variant.name + "\"", "names must differ");
       }
-      if (const TomlNode* set = table->find("set")) collect(*set, "", variant.set);
+      if (const TomlNode* set = table->find("set")) variant.set = assignments_in(*set);
       spec_.variants.push_back(std::move(variant));
     }
   }
 
   /// The leaves of a variant's set as assignments, checked.
-  void collect(const TomlNode& table, const std::string& prefix, std::vector<Assignment>& result) {
+  std::vector<Assignment> assignments_in(const TomlNode& table) {
     if (!table.is_table()) throw input_error(at(table), "set is " + table.kind_name(), "it must be a table: [variant.set]");
-    for (const auto& [name, node] : table.entries) {
-      const std::string key = prefix.empty() ? name : prefix + "." + name;
-      if (node.is_table() && !has_param(spec_.base, key)) {
-        collect(node, key, result);
-        continue;
-      }
-      const Param param = find_param(spec_.base, key, at(node));
-      result.push_back({key, checked(param, value_from_toml(param, node, at(node), path_.parent_path().string()), at(node))});
-    }
+    std::vector<Assignment> result;
+    visit_table(spec_.base, table, "", path_.string(), [&](const Param& param, const TomlNode& node) {
+      const Value value = value_from_toml(param, node, at(node), path_.parent_path().string());
+      result.push_back({param.key, checked(param, value, at(node))});
+    });
+    return result;
   }
 
-  void check_assignments(const std::vector<std::string>& assignments) const {
+  void check_assignments(const std::vector<std::string>& assignments) {
     for (const std::string& assignment : assignments) {
       const std::string key(trim(assignment.substr(0, assignment.find('='))));
       for (const Axis& axis : spec_.axes) {
-        if (axis.key == key) throw input_error("--set " + assignment, "is what the study's axis varies", "edit the axis in " + path_.string());
+        const Param set = find_param(spec_.base, key, "--set " + assignment);
+        const Param varied = find_param(spec_.base, axis.key, axis.key);
+        // A whole vector may be set under an axis over one of its components: the others take the new values.
+        const bool is_lost = varied.overlaps(set) && (varied.component < 0 || set.component >= 0);
+        if (is_lost) throw input_error("--set " + assignment, "is what the study's axis varies", "edit the axis in " + path_.string());
       }
     }
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <set>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -24,6 +25,14 @@ std::vector<std::string> varied_keys(const StudySpec& spec) {
     }
   }
   return keys;
+}
+
+/// Whether a file in cells/ is named as a study's cell: "0001_final.png".
+bool is_cell_name(const std::string& name) {
+  const size_t digits = name.find_first_not_of("0123456789");
+  if (digits == std::string::npos || digits < 4 || name[digits] != '_' || !name.ends_with(".png")) return false;
+  const std::string buffer = name.substr(digits + 1, name.size() - digits - 5);
+  return std::find(kBufferNames.begin(), kBufferNames.end(), buffer) != kBufferNames.end();
 }
 
 /// A value as a field of data.csv: as TOML, but texts without quotes.
@@ -45,9 +54,10 @@ StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Key
   if (!fresh) done_ = read_journal(folder_ / "journal.jsonl");
   std::erase_if(done_, [&](const auto& entry) {
     return entry.first >= keys_.size() || entry.second.key != keys_[entry.first].text() ||
-           entry.second.numbers.size() != number_columns().size() || entry.second.files.size() != spec_.show.size() ||
+           entry.second.numbers.size() != number_columns().size() || !names_its_files(entry.second) ||
            !files_intact(folder_, entry.second);
   });
+  remove_stale_files();
   rewrite();
 }
 
@@ -64,6 +74,11 @@ size_t StudyFolder::done_count() const {
 std::string StudyFolder::cell_file(size_t index, BufferName buffer) const {
   const size_t digits = std::max<size_t>(4, std::to_string(keys_.size()).size());
   return fmt::format("cells/{:0{}}_{}.png", index + 1, digits, name_of(buffer));
+}
+
+bool StudyFolder::names_its_files(const CellRecord& record) const {
+  return std::equal(record.files.begin(), record.files.end(), spec_.show.begin(), spec_.show.end(),
+                    [&](const FileRecord& file, BufferName buffer) { return file.name == cell_file(record.index, buffer); });
 }
 
 std::string StudyFolder::header() const {
@@ -95,6 +110,23 @@ std::string StudyFolder::data_text() const {
     if (const auto failed = failed_.find(i); failed != failed_.end()) text += row(i, {}, failed->second);
   }
   return text;
+}
+
+/// Removes the pictures of cells that are not done, and temporary files. Only names that a study gives are touched.
+void StudyFolder::remove_stale_files() const {
+  remove_abandoned_files(folder_);
+  remove_abandoned_files(folder_ / "cells");
+  std::set<std::string> kept;
+  for (const auto& [index, record] : done_) {
+    for (const FileRecord& file : record.files) kept.insert(fs::path(file.name).filename().string());
+  }
+  std::vector<fs::path> stale;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "cells")) {
+    const std::string name = entry.path().filename().string();
+    if (is_cell_name(name) && !kept.contains(name)) stale.push_back(entry.path());
+  }
+  std::error_code error;
+  for (const fs::path& path : stale) fs::remove(path, error);
 }
 
 void StudyFolder::rewrite() const {

@@ -18,7 +18,7 @@ const std::vector<std::string>& number_columns();
 class StudyFolder {
  public:
   /// `keys[i]` is cell i's key now. Reads the journal, drops every cell whose key or files are not what it says,
-  /// and starts journal and data.csv anew with the rest. Errors (work): the folder cannot be written.
+  /// with its files and what a killed run left unfinished, and starts journal and data.csv anew with the rest. Errors (work): the folder cannot be written.
   StudyFolder(const StudySpec& spec, std::filesystem::path folder, std::vector<Key> keys, bool fresh);
 
   bool is_done(size_t index) const;
@@ -36,9 +36,12 @@ class StudyFolder {
   void finish();
 
  private:
+  /// Whether the files are those that the cell has now: a study that grew may number them with more digits.
+  bool names_its_files(const CellRecord& record) const;
   std::string row(size_t index, const std::vector<std::string>& numbers, const std::string& error) const;
   std::string header() const;
   std::string data_text() const;
+  void remove_stale_files() const;
   void rewrite() const;
   void append(const std::filesystem::path& path, const std::string& line) const;
 

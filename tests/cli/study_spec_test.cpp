@@ -35,7 +35,7 @@ TEST_F(StudySpecErrors, unknown_entry_suggests_the_nearest) {
 TEST_F(StudySpecErrors, unknown_parameter_suggests_the_nearest) {
   expect_refused("[set]\ncombine.k_dept = 0.1\n", {":4", "combine.k_dept", "'combine.k_depth'"});
   expect_refused("[[axis]]\nkey = \"combine.k_dept\"\nvalues = [1]\n", {":4", "combine.k_dept", "'combine.k_depth'"});
-  expect_refused("[[variant]]\nname = \"x\"\n[variant.set]\ncamera.eye.w = 1\n", {":6", "camera.eye.w"});
+  expect_refused("[[variant]]\nname = \"x\"\n[variant.set]\ncamera.eye.w = 1\n", {":6", "camera.eye"});
 }
 
 TEST_F(StudySpecErrors, value_that_the_parameter_refuses_is_refused_beforehand) {
@@ -57,7 +57,7 @@ TEST_F(StudySpecErrors, axis_without_values_is_refused) {
 TEST_F(StudySpecErrors, empty_grid_is_refused) {
   expect_refused("axis = []\n", {":3", "empty", "axes"});
   expect_refused("variant = []\n", {":3", "empty", "variants"});
-  expect_refused("show = []\n", {":3", "show"});
+  expect_refused("show = []\n", {":3", "names no buffer", "final"});
 }
 
 TEST_F(StudySpecErrors, contradictory_axes_are_refused) {

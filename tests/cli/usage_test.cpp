@@ -60,8 +60,11 @@ TEST_F(Usage, unknown_command_is_named) {
 }
 
 TEST_F(Usage, unknown_option_is_named) {
-  for (const char* command : {"render", "study", "params", "info"}) {
-    EXPECT_TRUE(is_input_error(inkbench({command, "--colour"}), {"--colour", "--help"})) << command;
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"render", "--out", "out"}, {"study", "list"}, {"params"}, {"info"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.emplace_back("--colour");
+    EXPECT_TRUE(is_input_error(inkbench(arguments), {"--colour", "--help"})) << command[0];
   }
 }
 

@@ -16,7 +16,8 @@ Image noise(int width_px, int height_px, int channels, uint32_t seed, float low,
   std::mt19937 random(seed);
   Image image(width_px, height_px, channels);
   // Not std::uniform_real_distribution, whose results depend on the library.
-  for (float& value : image.samples) value = low + (high - low) * (static_cast<float>(random() >> 8) / 16777216.0F);
+  for (float& value : image.samples)
+    value = low + (high - low) * (static_cast<float>(random() >> 8) / 16777216.0F);
   return image;
 }
 
@@ -47,7 +48,8 @@ Texture to_texture(const Image& image) {
       for (int c = 0; c < image.channels; ++c) padded.at(x, y, c) = image.at(x, y, c);
     }
   }
-  const TextureFormat formats[] = {TextureFormat::r32f, TextureFormat::rg32f, TextureFormat::rgba32f, TextureFormat::rgba32f};
+  const TextureFormat formats[] = {TextureFormat::r32f, TextureFormat::rg32f, TextureFormat::rgba32f,
+                                   TextureFormat::rgba32f};
   Texture texture("test", formats[channels - 1], image.width_px, image.height_px);
   texture.upload(padded);
   return texture;
@@ -57,8 +59,9 @@ testing::AssertionResult is_near(const Image& actual, const reference::Map& expe
                                  const ImageOf<uint8_t>* leave_out) {
   if (actual.width_px != expected.width_px || actual.height_px != expected.height_px ||
       actual.channels != expected.channels) {
-    return testing::AssertionFailure() << fmt::format("{} x {} x {} is not {} x {} x {}", actual.width_px, actual.height_px,
-                                                      actual.channels, expected.width_px, expected.height_px, expected.channels);
+    return testing::AssertionFailure()
+           << fmt::format("{} x {} x {} is not {} x {} x {}", actual.width_px, actual.height_px,
+                          actual.channels, expected.width_px, expected.height_px, expected.channels);
   }
   double worst = 0.0;
   std::string worst_place;
@@ -72,12 +75,14 @@ testing::AssertionResult is_near(const Image& actual, const reference::Map& expe
         ++wrong;
         if (difference <= worst) continue;
         worst = difference;
-        worst_place = fmt::format("at x {}, y {}, channel {}: {} instead of {}", x, y, c, actual.at(x, y, c), expected.at(x, y, c));
+        worst_place = fmt::format("at x {}, y {}, channel {}: {} instead of {}", x, y, c, actual.at(x, y, c),
+                                  expected.at(x, y, c));
       }
     }
   }
   if (wrong == 0) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << fmt::format("{} samples are off by more than {}; worst {}", wrong, tolerance, worst_place);
+  return testing::AssertionFailure() << fmt::format("{} samples are off by more than {}; worst {}", wrong,
+                                                    tolerance, worst_place);
 }
 
 testing::AssertionResult is_near(const Image& actual, const Image& expected, double tolerance,
@@ -86,7 +91,8 @@ testing::AssertionResult is_near(const Image& actual, const Image& expected, dou
 }
 
 double share_of(const ImageOf<uint8_t>& mask) {
-  const auto count = std::count_if(mask.samples.begin(), mask.samples.end(), [](uint8_t value) { return value != 0; });
+  const auto count =
+      std::count_if(mask.samples.begin(), mask.samples.end(), [](uint8_t value) { return value != 0; });
   return static_cast<double>(count) / static_cast<double>(mask.samples.size());
 }
 
@@ -133,8 +139,10 @@ ScopedVariable::ScopedVariable(const char* name, const std::string& value) : nam
 }
 
 ScopedVariable::~ScopedVariable() {
-  if (before_) setenv(name_, before_->c_str(), 1);
-  else unsetenv(name_);
+  if (before_)
+    setenv(name_, before_->c_str(), 1);
+  else
+    unsetenv(name_);
 }
 
 }  // namespace inkbench

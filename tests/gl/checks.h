@@ -1,5 +1,5 @@
-// What the GL tests share: images to try, textures from images, comparisons that name the worst pixel, temporary
-// folders and environment variables.
+// What the GL tests share: images to try, textures from images, comparisons that name the worst pixel,
+// temporary folders and environment variables.
 #pragma once
 
 #include <gtest/gtest.h>

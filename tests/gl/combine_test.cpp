@@ -31,16 +31,21 @@ Image noisy_ranges(int width_px, int height_px) {
 }
 
 reference::Map channel_of(const Image& image, int channel) {
-  return reference::to_map(make_image(image.width_px, image.height_px, [&](int x, int y) { return image.at(x, y, channel); }));
+  return reference::to_map(
+      make_image(image.width_px, image.height_px, [&](int x, int y) { return image.at(x, y, channel); }));
 }
 
 reference::Map sums_of(const CombineParams& params, const Image& ranges) {
   return reference::term_sum(channel_of(ranges, 0), channel_of(ranges, 1), params);
 }
 
+/// A sum that equals the threshold is decided: saturated terms are exactly 1.
 ImageOf<uint8_t> close_to_threshold(const reference::Map& sums, double threshold) {
   ImageOf<uint8_t> mask(sums.width_px, sums.height_px, 1);
-  for (size_t i = 0; i < mask.samples.size(); ++i) mask.samples[i] = std::abs(sums.samples[i] - threshold) < kNearThreshold;
+  for (size_t i = 0; i < mask.samples.size(); ++i) {
+    const double distance = std::abs(sums.samples[i] - threshold);
+    mask.samples[i] = distance > 0.0 && distance < kNearThreshold;
+  }
   return mask;
 }
 
@@ -52,7 +57,8 @@ void expect_reference(const CombineParams& params, const Image& ranges) {
 }
 
 TEST(Combine, equals_reference_on_noise_of_any_size) {
-  for (const auto& [width, height] : {std::pair{1, 1}, {2, 3}, {317, 203}}) expect_reference({}, noisy_ranges(width, height));
+  for (const auto& [width, height] : {std::pair{1, 1}, {2, 3}, {317, 203}})
+    expect_reference({}, noisy_ranges(width, height));
 }
 
 TEST(Combine, equals_reference_for_every_choice_of_terms) {
@@ -68,7 +74,8 @@ TEST(Combine, equals_reference_for_every_choice_of_terms) {
 
 TEST(Combine, equals_reference_for_other_coefficients) {
   const Image ranges = noisy_ranges(64, 48);
-  for (const float factor : {0.5F, 2.0F}) expect_reference({.k_depth = 0.003F * factor, .k_normal = 0.0125F / factor}, ranges);
+  for (const float factor : {0.5F, 2.0F})
+    expect_reference({.k_depth = 0.003F * factor, .k_normal = 0.0125F / factor}, ranges);
 }
 
 TEST(Combine, keeps_a_sum_that_equals_the_threshold) {

@@ -32,9 +32,12 @@ struct Hit {
 /// About x, then y, then z.
 dmat3 rotation(const dvec3& degrees) {
   const dvec3 a = glm::radians(degrees);
-  const dmat3 x(dvec3(1, 0, 0), dvec3(0, std::cos(a.x), std::sin(a.x)), dvec3(0, -std::sin(a.x), std::cos(a.x)));
-  const dmat3 y(dvec3(std::cos(a.y), 0, -std::sin(a.y)), dvec3(0, 1, 0), dvec3(std::sin(a.y), 0, std::cos(a.y)));
-  const dmat3 z(dvec3(std::cos(a.z), std::sin(a.z), 0), dvec3(-std::sin(a.z), std::cos(a.z), 0), dvec3(0, 0, 1));
+  const dmat3 x(dvec3(1, 0, 0), dvec3(0, std::cos(a.x), std::sin(a.x)),
+                dvec3(0, -std::sin(a.x), std::cos(a.x)));
+  const dmat3 y(dvec3(std::cos(a.y), 0, -std::sin(a.y)), dvec3(0, 1, 0),
+                dvec3(std::sin(a.y), 0, std::cos(a.y)));
+  const dmat3 z(dvec3(std::cos(a.z), std::sin(a.z), 0), dvec3(-std::sin(a.z), std::cos(a.z), 0),
+                dvec3(0, 0, 1));
   return z * y * x;
 }
 
@@ -43,7 +46,8 @@ Body make_body(const ModelParams& model, int object_id) {
   const double longest = is_sphere ? 2.0 : 1.0;
   const double fit = model.size > 0.0F ? model.size / longest : 1.0;
   const dvec3 scale = dvec3(model.scale) * fit;
-  const dmat3 linear = rotation(model.rotation) * dmat3(dvec3(scale.x, 0, 0), dvec3(0, scale.y, 0), dvec3(0, 0, scale.z));
+  const dmat3 linear =
+      rotation(model.rotation) * dmat3(dvec3(scale.x, 0, 0), dvec3(0, scale.y, 0), dvec3(0, 0, scale.z));
   const double base = model.shape == Shape::plane ? 0.0 : -longest / 2.0;
   const dvec3 anchor(0.0, model.anchor == Anchor::base ? base : 0.0, 0.0);
   return {model.shape, linear, dvec3(model.position) - linear * anchor, object_id};
@@ -155,7 +159,8 @@ ImageOf<uint8_t> outlines(const Surface& surface) {
       for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v) {
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
           bool differs = surface.object_id.at(u, v) != surface.object_id.at(x, y);
-          for (int c = 0; c < 3; ++c) differs |= std::abs(surface.normal.at(u, v, c) - surface.normal.at(x, y, c)) > kCrease;
+          for (int c = 0; c < 3; ++c)
+            differs |= std::abs(surface.normal.at(u, v, c) - surface.normal.at(x, y, c)) > kCrease;
           if (differs) mask.at(x, y) = 1;
         }
       }

@@ -1,5 +1,5 @@
-// A ray caster over exact shapes in double precision: what the G-buffer should hold at each pixel's centre (3.4.1,
-// 3.4.2). In: the settings' camera and models (no mesh files). Out: normal, depth and id maps.
+// A ray caster over exact shapes in double precision: what the G-buffer should hold at each pixel's centre
+// (3.4.1, 3.4.2). In: the settings' camera and models (no mesh files). Out: normal, depth and id maps.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -21,8 +21,8 @@ glm::dvec3 pixel_ray(const CameraParams& camera, int x, int y, int width_px, int
 /// Boxes, spheres (also inside out) and planes, exactly, between the near and the far plane.
 Surface cast_rays(const Settings& settings);
 
-/// H x W x 1: not 0 within 1 px of a change of object or a crease, where one pixel's centre decides between two
-/// surfaces and a tessellated shape may differ from the exact one.
+/// H x W x 1: not 0 within 1 px of a change of object or a crease, where one pixel's centre decides between
+/// two surfaces and a tessellated shape may differ from the exact one.
 ImageOf<uint8_t> outlines(const Surface& surface);
 
 }  // namespace inkbench::reference

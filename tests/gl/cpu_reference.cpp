@@ -12,14 +12,8 @@ struct Neighbour {
   int dx, dy;
   double weight;
 };
-constexpr std::array<Neighbour, 8> kNeighbours{{{-1, -1, 1},
-                                                {0, -1, 2},
-                                                {1, -1, 1},
-                                                {-1, 0, 2},
-                                                {1, 0, 2},
-                                                {-1, 1, 1},
-                                                {0, 1, 2},
-                                                {1, 1, 1}}};
+constexpr std::array<Neighbour, 8> kNeighbours{
+    {{-1, -1, 1}, {0, -1, 2}, {1, -1, 1}, {-1, 0, 2}, {1, 0, 2}, {-1, 1, 1}, {0, 1, 2}, {1, 1, 1}}};
 
 double clamped_at(const Map& map, int x, int y, int channel) {
   return map.at(std::clamp(x, 0, map.width_px - 1), std::clamp(y, 0, map.height_px - 1), channel);

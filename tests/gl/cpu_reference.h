@@ -1,5 +1,5 @@
-// The edge passes and the ink in double precision, written from the paper's equations (3.4.3 to 3.5), not from the
-// shaders. In: maps. Out: what each pass should give; GL results are compared with it.
+// The edge passes and the ink in double precision, written from the paper's equations (3.4.3 to 3.5), not
+// from the shaders. In: maps. Out: what each pass should give; GL results are compared with it.
 #pragma once
 
 #include "pipeline/image/image.h"
@@ -13,8 +13,8 @@ using Map = ImageOf<double>;  ///< H x W x C, row 0 on top.
 Map to_map(const Image& image);
 Image to_image(const Map& map);
 
-/// g of 3.4.3 in each channel, then the mean over the channels: H x W x 1. The paper does not say what lies outside
-/// the image; we repeat its border.
+/// g of 3.4.3 in each channel, then the mean over the channels: H x W x 1. The paper does not say what lies
+/// outside the image; we repeat its border.
 Map gradient(const Map& map);
 
 /// gmax - gmin over the 3 x 3 region (3.4.4), the part of it inside the image: H x W x 1.

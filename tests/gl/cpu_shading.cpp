@@ -12,8 +12,9 @@ namespace {
 
 using glm::dvec3;
 
+/// The first stop is no step: the ramp has its colour before it, too.
 bool is_near_step(const Ramp& ramp, double t) {
-  return std::any_of(ramp.stops.begin(), ramp.stops.end(),
+  return std::any_of(ramp.stops.begin() + 1, ramp.stops.end(),
                      [&](const RampStop& stop) { return std::abs(t - stop.position) < 1.0 / 1024.0; });
 }
 
@@ -29,7 +30,8 @@ struct Lit {
 };
 
 Lit light_up(const LightParams& light, const Point& point, const RampParams& ramps, bool use_ramps) {
-  const dvec3 way = light.type == LightType::point ? dvec3(light.position) - point.position : dvec3(light.direction);
+  const dvec3 way =
+      light.type == LightType::point ? dvec3(light.position) - point.position : dvec3(light.direction);
   const dvec3 l = glm::normalize(way);
   const dvec3 h = glm::normalize(l + point.to_eye);
   const double diffuse = std::max(glm::dot(l, point.normal), 0.0);
@@ -61,8 +63,10 @@ glm::dvec3 ramp_colour(const Ramp& ramp, double t) {
   return colour;
 }
 
-Shading shade(const Settings& settings, const Map& normal, const Map& depth, const Map& object_id, bool use_ramps) {
-  Shading result{Map(depth.width_px, depth.height_px, 3), ImageOf<uint8_t>(depth.width_px, depth.height_px, 1)};
+Shading shade(const Settings& settings, const Map& normal, const Map& depth, const Map& object_id,
+              bool use_ramps) {
+  Shading result{Map(depth.width_px, depth.height_px, 3),
+                 ImageOf<uint8_t>(depth.width_px, depth.height_px, 1)};
   for (int y = 0; y < depth.height_px; ++y) {
     for (int x = 0; x < depth.width_px; ++x) {
       const int id = static_cast<int>(object_id.at(x, y));
@@ -71,8 +75,10 @@ Shading shade(const Settings& settings, const Map& normal, const Map& depth, con
         const dvec3 ray = pixel_ray(settings.camera, x, y, depth.width_px, depth.height_px);
         const dvec3 encoded(normal.at(x, y, 0), normal.at(x, y, 1), normal.at(x, y, 2));
         const Point point{dvec3(settings.camera.eye) + ray * (depth.at(x, y) * settings.camera.far),
-                          glm::normalize(2.0 * encoded - 1.0), -glm::normalize(ray), settings.models[id - 1].material};
-        colour = dvec3(settings.scene.ambient) * dvec3(point.material.colour) * static_cast<double>(point.material.ambient);
+                          glm::normalize(2.0 * encoded - 1.0), -glm::normalize(ray),
+                          settings.models[id - 1].material};
+        colour = dvec3(settings.scene.ambient) * dvec3(point.material.colour) *
+                 static_cast<double>(point.material.ambient);
         for (const LightParams& light : settings.lights) {
           const Lit lit = light_up(light, point, settings.ramp, use_ramps);
           colour += lit.colour;

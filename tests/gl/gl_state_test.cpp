@@ -18,30 +18,58 @@ void expect_same_with(const std::function<void()>& set_state, const std::functio
   const Image final = Pipeline().raw(settings, BufferName::final);
   Pipeline pipeline;
   set_state();
-  EXPECT_EQ(pipeline.raw(settings, BufferName::normal), normal);
-  EXPECT_EQ(pipeline.raw(settings, BufferName::final), final);
+  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::normal), normal, 0.0));
+  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::final), final, 0.0));
   restore();
   throw_gl_errors("test");
 }
 
 TEST(GlState, blending_does_not_matter) {
-  expect_same_with([] { glEnable(GL_BLEND); glBlendFunc(GL_ONE, GL_ONE); },
-                   [] { glDisable(GL_BLEND); glBlendFunc(GL_ONE, GL_ZERO); });
+  expect_same_with(
+      [] {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+      },
+      [] {
+        glDisable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ZERO);
+      });
 }
 
 TEST(GlState, culling_does_not_matter) {
-  expect_same_with([] { glEnable(GL_CULL_FACE); glCullFace(GL_FRONT_AND_BACK); },
-                   [] { glDisable(GL_CULL_FACE); glCullFace(GL_BACK); });
+  expect_same_with(
+      [] {
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_FRONT_AND_BACK);
+      },
+      [] {
+        glDisable(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+      });
 }
 
 TEST(GlState, scissor_and_viewport_do_not_matter) {
-  expect_same_with([] { glEnable(GL_SCISSOR_TEST); glScissor(0, 0, 3, 3); glViewport(1, 1, 2, 2); },
-                   [] { glDisable(GL_SCISSOR_TEST); });
+  expect_same_with(
+      [] {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, 3, 3);
+        glViewport(1, 1, 2, 2);
+      },
+      [] { glDisable(GL_SCISSOR_TEST); });
 }
 
 TEST(GlState, depth_state_does_not_matter) {
-  expect_same_with([] { glEnable(GL_DEPTH_TEST); glDepthFunc(GL_NEVER); glDepthMask(GL_FALSE); },
-                   [] { glDisable(GL_DEPTH_TEST); glDepthFunc(GL_LESS); glDepthMask(GL_TRUE); });
+  expect_same_with(
+      [] {
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_NEVER);
+        glDepthMask(GL_FALSE);
+      },
+      [] {
+        glDisable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        glDepthMask(GL_TRUE);
+      });
 }
 
 TEST(GlState, bound_program_textures_and_samplers_do_not_matter) {
@@ -69,8 +97,15 @@ TEST(GlState, bound_program_textures_and_samplers_do_not_matter) {
 }
 
 TEST(GlState, colour_mask_and_polygon_mode_do_not_matter) {
-  expect_same_with([] { glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE); glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); },
-                   [] { glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); glPolygonMode(GL_FRONT_AND_BACK, GL_FILL); });
+  expect_same_with(
+      [] {
+        glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+      },
+      [] {
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+      });
 }
 
 }  // namespace

@@ -42,8 +42,12 @@ TEST_P(GradientSizes, equals_reference_on_noise) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Odd, GradientSizes,
-                         testing::Values(Size{1, 1}, Size{2, 3}, Size{3, 2}, Size{1, 7}, Size{7, 1}, Size{317, 203}),
-                         [](const auto& test) { return std::to_string(test.param.width_px) + "x" + std::to_string(test.param.height_px); });
+                         testing::Values(Size{1, 1}, Size{2, 3}, Size{3, 2}, Size{1, 7}, Size{7, 1},
+                                         Size{317, 203}),
+                         [](const auto& test) {
+                           return std::to_string(test.param.width_px) + "x" +
+                                  std::to_string(test.param.height_px);
+                         });
 
 TEST(Gradient, ignores_flat_maps) {
   const Image result = run_gradient(Image(19, 13, 3, 0.7F), Image(19, 13, 1, 0.3F));
@@ -60,7 +64,8 @@ TEST(Gradient, of_a_ramp_is_half_of_both_slopes_and_of_the_larger) {
     const double angle = degrees * 3.14159265358979 / 180.0;
     const double a = 0.01 * std::cos(angle);
     const double b = 0.01 * std::sin(angle);
-    const Image g = depth_gradient(make_image(21, 17, [&](int x, int y) { return 0.5 + a * (x - 10) + b * (y - 8); }));
+    const Image g =
+        depth_gradient(make_image(21, 17, [&](int x, int y) { return 0.5 + a * (x - 10) + b * (y - 8); }));
     // The weights of 3.4.3 on a plane: (4|a| + 4|b| + 2|a+b| + 2|a-b|) / 8.
     const double expected = (std::abs(a) + std::abs(b) + std::max(std::abs(a), std::abs(b))) / 2.0;
     for (int y = 1; y < 16; ++y) {
@@ -83,9 +88,10 @@ TEST(Gradient, normal_edges_average_the_three_channels) {
 
 TEST(Gradient, repeats_the_border_outside_the_image) {
   // A flat map shows an edge if what is outside counts as 0.
-  for (const float value : run_gradient(Image(9, 7, 3, 0.7F), Image(9, 7, 1, 0.7F)).samples) ASSERT_EQ(value, 0.0F);
-  // On a ramp of slope 1/16 the three outer neighbours add nothing: (1 + 2 + 1)/8. Wrapping around would give about
-  // half of the whole ramp's height, mirroring 1, zeros another value on each row.
+  for (const float value : run_gradient(Image(9, 7, 3, 0.7F), Image(9, 7, 1, 0.7F)).samples)
+    ASSERT_EQ(value, 0.0F);
+  // On a ramp of slope 1/16 the three outer neighbours add nothing: (1 + 2 + 1)/8. Wrapping around would give
+  // about half of the whole ramp's height, mirroring 1, zeros another value on each row.
   const Image across = depth_gradient(make_image(12, 7, [](int x, int) { return 0.25 + x / 16.0; }));
   for (const int x : {0, 11}) EXPECT_NEAR(across.at(x, 3), 0.5 / 16.0, kRounding) << x;
   EXPECT_NEAR(across.at(5, 0), 1.0 / 16.0, kRounding);

@@ -88,7 +88,7 @@ TEST(Keys, display_gains_run_no_pass) {
   settings.display.depth_gain = 2.0F;
   Picture after;
   EXPECT_EQ(passes_run_by(pipeline, [&] { after = pipeline.picture(settings, BufferName::depth); }), Names{});
-  EXPECT_NE(before, after);
+  EXPECT_FALSE(before == after);
 }
 
 TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
@@ -105,7 +105,8 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
   ASSERT_EQ(needs.size(), kBufferNames.size());
   for (const auto& [buffer, expected] : needs) {
     Pipeline pipeline;
-    EXPECT_EQ(passes_run_by(pipeline, [&] { pipeline.raw(small_scene(), buffer); }), expected) << name_of(buffer);
+    EXPECT_EQ(passes_run_by(pipeline, [&] { pipeline.raw(small_scene(), buffer); }), expected)
+        << name_of(buffer);
   }
 }
 
@@ -115,7 +116,8 @@ TEST(Keys, all_buffers_together_run_each_pass_once) {
   expected.insert("blinn_phong");
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
-                            for (size_t i = 0; i < kBufferNames.size(); ++i) pipeline.raw(small_scene(), static_cast<BufferName>(i));
+                            for (size_t i = 0; i < kBufferNames.size(); ++i)
+                              pipeline.raw(small_scene(), static_cast<BufferName>(i));
                           }),
             expected);
 }
@@ -130,7 +132,7 @@ TEST(Keys, a_rewritten_mesh_file_runs_everything) {
   folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
   Image after;
   EXPECT_EQ(passes_run_by(pipeline, [&] { after = pipeline.raw(settings, BufferName::final); }), kFloatChain);
-  EXPECT_NE(before, after);
+  EXPECT_FALSE(before == after);
 }
 
 TEST(Keys, a_failed_draw_leaves_the_pipeline_usable) {
@@ -140,11 +142,13 @@ TEST(Keys, a_failed_draw_leaves_the_pipeline_usable) {
   Settings broken = settings;
   broken.models[0].shape = Shape::mesh;
   broken.models[0].mesh = "/nowhere/mesh.obj";
-  EXPECT_NE(input_error_of([&] { pipeline.raw(broken, BufferName::final); }).find("/nowhere/mesh.obj"), std::string::npos);
+  EXPECT_NE(input_error_of([&] { pipeline.raw(broken, BufferName::final); }).find("/nowhere/mesh.obj"),
+            std::string::npos);
   broken = settings;
   broken.camera.target = broken.camera.eye;
-  EXPECT_NE(input_error_of([&] { pipeline.raw(broken, BufferName::final); }).find("camera.eye"), std::string::npos);
-  EXPECT_EQ(pipeline.raw(settings, BufferName::final), before);
+  EXPECT_NE(input_error_of([&] { pipeline.raw(broken, BufferName::final); }).find("camera.eye"),
+            std::string::npos);
+  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::final), before, 0.0));
 }
 
 }  // namespace

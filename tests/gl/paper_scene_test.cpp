@@ -1,4 +1,5 @@
-// The whole chain on the paper's scene, rabbit included: each buffer against the CPU reference of the buffers before it.
+// The whole chain on the paper's scene, rabbit included: each buffer against the CPU reference of the buffers
+// before it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +21,8 @@ class PaperScene : public testing::Test {
   static void SetUpTestSuite() {
     settings_ = paper_scene(257, 193);
     Pipeline pipeline;
-    for (size_t i = 0; i < kBufferNames.size(); ++i) buffers_[i] = pipeline.raw(settings_, static_cast<BufferName>(i));
+    for (size_t i = 0; i < kBufferNames.size(); ++i)
+      buffers_[i] = pipeline.raw(settings_, static_cast<BufferName>(i));
   }
   static const Image& raw(BufferName buffer) { return buffers_[static_cast<size_t>(buffer)]; }
   static reference::Map map(BufferName buffer) { return reference::to_map(raw(buffer)); }
@@ -41,7 +43,8 @@ TEST_F(PaperScene, depth_edges_equal_reference) {
 }
 
 TEST_F(PaperScene, normal_edges_equal_reference) {
-  EXPECT_TRUE(is_near(raw(BufferName::normal_edges), reference::gradient(map(BufferName::normal)), kRounding));
+  EXPECT_TRUE(
+      is_near(raw(BufferName::normal_edges), reference::gradient(map(BufferName::normal)), kRounding));
 }
 
 TEST_F(PaperScene, combined_edges_equal_reference_of_normal_and_depth) {
@@ -54,23 +57,26 @@ TEST_F(PaperScene, combined_edges_equal_reference_of_normal_and_depth) {
   }
   EXPECT_LT(share_of(undecided), 0.001);
   // p magnifies a rounding of the range by up to 2 / k_depth = 670.
-  EXPECT_TRUE(is_near(raw(BufferName::combined_edges), reference::combine(sums, settings_.combine), 1e-5, &undecided));
+  EXPECT_TRUE(is_near(raw(BufferName::combined_edges), reference::combine(sums, settings_.combine), 1e-5,
+                      &undecided));
   const reference::Map edges = map(BufferName::combined_edges);
-  const auto lines = std::count_if(edges.samples.begin(), edges.samples.end(), [](double edge) { return edge > 0.0; });
+  const auto lines =
+      std::count_if(edges.samples.begin(), edges.samples.end(), [](double edge) { return edge > 0.0; });
   EXPECT_GT(static_cast<double>(lines) / edges.samples.size(), 0.02) << "the comparison saw lines";
   EXPECT_LT(static_cast<double>(lines) / edges.samples.size(), 0.5);
 }
 
 TEST_F(PaperScene, shading_equals_reference) {
-  const reference::Shading expected =
-      reference::shade(settings_, map(BufferName::normal), map(BufferName::depth), map(BufferName::object_id), true);
+  const reference::Shading expected = reference::shade(
+      settings_, map(BufferName::normal), map(BufferName::depth), map(BufferName::object_id), true);
   EXPECT_TRUE(is_near(raw(BufferName::shaded), expected.colour, 5e-4, &expected.at_step));
   EXPECT_LT(share_of(expected.at_step), 0.05);
 }
 
 TEST_F(PaperScene, final_is_ink_over_the_shading) {
   EXPECT_TRUE(is_near(raw(BufferName::final),
-                      reference::ink(map(BufferName::shaded), map(BufferName::combined_edges), settings_.ink), 0.0));
+                      reference::ink(map(BufferName::shaded), map(BufferName::combined_edges), settings_.ink),
+                      0.0));
 }
 
 }  // namespace

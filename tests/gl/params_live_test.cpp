@@ -1,5 +1,5 @@
-// Every parameter does something: changed from its value it changes a stage's key and an image. The test walks the
-// descriptions, so a parameter added tomorrow is tried without a line here.
+// Every parameter does something: changed from its value it changes a stage's key and an image. The test
+// walks the descriptions, so a parameter added tomorrow is tried without a line here.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -35,12 +35,13 @@ std::string sibling_key(const std::string& key, const Field& field, const std::s
 
 bool holds(Settings& settings, const std::string& key, const Field& field, const Condition& condition) {
   const Value value = find_param(settings, sibling_key(key, field, condition.name), "test").value();
-  const std::string text = std::holds_alternative<std::string>(value) ? std::get<std::string>(value) : to_text(value);
+  const std::string text =
+      std::holds_alternative<std::string>(value) ? std::get<std::string>(value) : to_text(value);
   return (text == condition.value) == condition.equal;
 }
 
-/// The settings as they are, if they meet (or fail, for `met` false) the parameter's condition; else, and after them, all
-/// ways of setting what the condition names.
+/// The settings as they are, if they meet (or fail, for `met` false) the parameter's condition; else, and
+/// after them, all ways of setting what the condition names.
 std::vector<Settings> arrangements(const Settings& settings, const std::string& key, bool met = true) {
   Settings start = settings;
   const Field& field = *find_param(start, key, "test").field;
@@ -62,7 +63,8 @@ std::vector<Settings> arrangements(const Settings& settings, const std::string& 
 
 float changed_number(const Field& field, float value) {
   const auto inside = [&](float candidate) {
-    return field.limits.low == field.limits.high || (candidate >= field.limits.low && candidate <= field.limits.high);
+    return field.limits.low == field.limits.high ||
+           (candidate >= field.limits.low && candidate <= field.limits.high);
   };
   if (field.scale == Scale::log && value != 0.0F) return inside(value * 1.5F) ? value * 1.5F : value / 1.5F;
   const auto step = static_cast<float>(0.13 * (field.slider.high - field.slider.low));
@@ -72,7 +74,8 @@ float changed_number(const Field& field, float value) {
 /// Another value of the parameter. Errors (test): a type that it knows no other value for.
 Value changed(const Field& field, const Value& value, const std::string& other_mesh) {
   if (const auto* boolean = std::get_if<bool>(&value)) return !*boolean;
-  if (const auto* integer = std::get_if<int>(&value)) return static_cast<int>(changed_number(field, static_cast<float>(*integer)));
+  if (const auto* integer = std::get_if<int>(&value))
+    return static_cast<int>(changed_number(field, static_cast<float>(*integer)));
   if (const auto* real = std::get_if<float>(&value)) return changed_number(field, *real);
   if (!field.choices.empty()) {
     const auto here = std::find(field.choices.begin(), field.choices.end(), std::get<std::string>(value));
@@ -92,14 +95,18 @@ std::vector<std::string> all_keys(Settings settings) {
   std::vector<std::string> keys;
   for (const Param& param : list_params(settings)) {
     const bool is_colour = param.field->type == FieldType::colour;
-    if (!is_colour && param.field->type != FieldType::vector) keys.push_back(param.key);
-    else for (const char component : std::string(is_colour ? "rgb" : "xyz")) keys.push_back(param.key + "." + component);
+    if (!is_colour && param.field->type != FieldType::vector)
+      keys.push_back(param.key);
+    else
+      for (const char component : std::string(is_colour ? "rgb" : "xyz"))
+        keys.push_back(param.key + "." + component);
   }
   return keys;
 }
 
 std::array<Key, 10> stage_keys(const PassKeys& k) {
-  return {k.meshes, k.gbuffer, k.quantise, k.gradient, k.range, k.combine, k.shade, k.blinn_phong, k.ink, k.picture};
+  return {k.meshes,  k.gbuffer, k.quantise,    k.gradient, k.range,
+          k.combine, k.shade,   k.blinn_phong, k.ink,      k.picture};
 }
 
 /// Differences of rounding do not count, nor single pixels of an edge.
@@ -113,8 +120,16 @@ bool differ(const Image& a, const Image& b) {
 class ParamsLive : public testing::Test {
  protected:
   ParamsLive() {
-    first_mesh_ = folder_.write("first.obj", "v 0 0 0\nv 1 0 0.2\nv 0.1 1.3 0\nv 0.3 0.2 0.9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n").string();
-    other_mesh_ = folder_.write("other.obj", "v 0 0 0\nv 0.8 0.1 0\nv 0.2 1 0.1\nv 0.5 0.4 1.2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n").string();
+    first_mesh_ =
+        folder_
+            .write("first.obj",
+                   "v 0 0 0\nv 1 0 0.2\nv 0.1 1.3 0\nv 0.3 0.2 0.9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+            .string();
+    other_mesh_ =
+        folder_
+            .write("other.obj",
+                   "v 0 0 0\nv 0.8 0.1 0\nv 0.2 1 0.1\nv 0.5 0.4 1.2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+            .string();
     rich_ = make_rich_scene();
   }
 
@@ -125,9 +140,10 @@ class ParamsLive : public testing::Test {
     return stage_keys(pipeline_.keys(before)) != stage_keys(pipeline_.keys(after));
   }
   bool images_change(const Settings& before, const Settings& after) {
-    for (const BufferName buffer : {BufferName::shaded, BufferName::final, BufferName::depth, BufferName::normal,
-                                    BufferName::combined_edges, BufferName::depth_edges, BufferName::normal_edges,
-                                    BufferName::blinn_phong, BufferName::object_id}) {
+    for (const BufferName buffer :
+         {BufferName::shaded, BufferName::final, BufferName::depth, BufferName::normal,
+          BufferName::combined_edges, BufferName::depth_edges, BufferName::normal_edges,
+          BufferName::blinn_phong, BufferName::object_id}) {
       if (differ(before_.raw(before, buffer), pipeline_.raw(after, buffer))) return true;
     }
     return false;
@@ -148,8 +164,9 @@ class ParamsLive : public testing::Test {
   bool is_live(const std::string& key) {
     for (const Settings& arranged : arrangements(rich_, key)) {
       const Settings after = with_change(arranged, key);
-      const bool live = key.starts_with("display.") ? !keys_change(arranged, after) && pictures_change(arranged, after)
-                                                    : keys_change(arranged, after) && images_change(arranged, after);
+      const bool live = key.starts_with("display.")
+                            ? !keys_change(arranged, after) && pictures_change(arranged, after)
+                            : keys_change(arranged, after) && images_change(arranged, after);
       if (live) return true;
     }
     return false;
@@ -158,7 +175,7 @@ class ParamsLive : public testing::Test {
   TempFolder folder_;
   std::string first_mesh_, other_mesh_;
   Settings rich_;
-  Pipeline before_;    // keeps the images that changes are compared with
+  Pipeline before_;  // keeps the images that changes are compared with
   Pipeline pipeline_;
 };
 
@@ -168,7 +185,10 @@ Settings ParamsLive::make_rich_scene() const {
   settings.camera = {{0.5F, 2.4F, 7.0F}, {0.2F, 0.3F, 0.1F}, {0.1F, 0.9F, 0.2F}, 45.0F, 4.9F, 20.0F};
   settings.scene = {{0.1F, 0.15F, 0.2F}, {0.9F, 0.8F, 0.7F}};
   for (size_t i = 0; i < ChoiceNames<Shape>::names.size(); ++i) {
-    ModelParams model{.name = std::string(ChoiceNames<Shape>::names[i]), .shape = static_cast<Shape>(i), .mesh = first_mesh_, .segments = 10};
+    ModelParams model{.name = std::string(ChoiceNames<Shape>::names[i]),
+                      .shape = static_cast<Shape>(i),
+                      .mesh = first_mesh_,
+                      .segments = 10};
     const float column = static_cast<float>(i % 4);
     model.position = {-2.0F + 1.4F * column, i < 4 ? 0.2F : 1.3F, i < 4 ? 1.0F : -1.5F};
     model.rotation = {20.0F, 30.0F + 10.0F * column, 10.0F};
@@ -184,7 +204,10 @@ Settings ParamsLive::make_rich_scene() const {
   }
   LightParams sun{.name = "sun", .direction = {0.4F, 0.7F, 0.5F}, .position = {2.0F, 4.0F, 3.0F}};
   sun.ambient = {0.02F, 0.03F, 0.04F};
-  LightParams lamp{.name = "lamp", .type = LightType::point, .direction = {-0.4F, 0.7F, 0.5F}, .position = {-2.0F, 3.0F, 4.0F}};
+  LightParams lamp{.name = "lamp",
+                   .type = LightType::point,
+                   .direction = {-0.4F, 0.7F, 0.5F},
+                   .position = {-2.0F, 3.0F, 4.0F}};
   lamp.diffuse = lamp.specular = {0.5F, 0.4F, 0.3F};
   settings.lights = {sun, lamp};
   settings.ramp.diffuse.stops[2].stepped = false;
@@ -228,7 +251,8 @@ TEST_F(ParamsLive, parameters_do_nothing_where_their_condition_fails) {
   // Otherwise `matters_when` would grey out a slider that works.
   for (const std::string& key : all_keys(rich_)) {
     if (!condition_of(*find_param(rich_, key, "test").field)) continue;
-    // Meshes would need a file's bytes to differ; which of two files is not drawn makes no difference to any shape.
+    // Meshes would need a file's bytes to differ; which of two files is not drawn makes no difference to any
+    // shape.
     const Settings arranged = arrangements(rich_, key, false).front();
     EXPECT_FALSE(images_change(arranged, with_change(arranged, key))) << key;
   }

@@ -10,13 +10,16 @@
 namespace inkbench {
 namespace {
 
-/// Whether each sample of `stored` is a level n / 255, and the level nearest to `value`; OpenGL leaves ties open.
+/// Whether each sample of `stored` is a level n / 255, and the level nearest to `value`; OpenGL leaves ties
+/// open.
 testing::AssertionResult is_stored(const Image& stored, const reference::Map& value) {
   for (size_t i = 0; i < stored.samples.size(); ++i) {
     const double level = stored.samples[i] * 255.0;
-    if (std::abs(level - std::round(level)) > 1e-4) return testing::AssertionFailure() << level << " is no level";
+    if (std::abs(level - std::round(level)) > 1e-4)
+      return testing::AssertionFailure() << level << " is no level";
     if (std::abs(level - value.samples[i] * 255.0) > 0.501) {
-      return testing::AssertionFailure() << "sample " << i << ": level " << level << " for " << value.samples[i] * 255.0;
+      return testing::AssertionFailure()
+             << "sample " << i << ": level " << level << " for " << value.samples[i] * 255.0;
     }
   }
   return testing::AssertionSuccess();

@@ -16,8 +16,8 @@ Image run_range(const Image& gradients) {
 }
 
 reference::Map range_of_channel(const Image& gradients, int channel) {
-  return reference::range(reference::to_map(
-      make_image(gradients.width_px, gradients.height_px, [&](int x, int y) { return gradients.at(x, y, channel); })));
+  return reference::range(reference::to_map(make_image(
+      gradients.width_px, gradients.height_px, [&](int x, int y) { return gradients.at(x, y, channel); })));
 }
 
 TEST(Range, equals_reference_on_noise_of_any_size) {
@@ -47,7 +47,8 @@ TEST(Range, spreads_one_pixel_over_its_three_by_three_region) {
 }
 
 TEST(Range, repeats_the_border_outside_the_image) {
-  // Zeros outside would give every border pixel of a flat gradient a range; wrapping around would join the sides.
+  // Zeros outside would give every border pixel of a flat gradient a range; wrapping around would join the
+  // sides.
   for (const float value : run_range(Image(9, 7, 2, 0.6F)).samples) ASSERT_EQ(value, 0.0F);
   Image sides(9, 7, 2, 0.25F);
   for (int y = 0; y < 7; ++y) sides.at(8, y, 0) = 0.75F;

@@ -27,8 +27,18 @@ Settings analytic_scene() {
   settings.camera = {{2.0F, 3.0F, 6.0F}, {0.2F, 0.5F, 0.0F}, {0.15F, 1.0F, 0.1F}, 40.0F, 0.1F, 20.0F};
   settings.scene = {{0.1F, 0.12F, 0.14F}, {0.9F, 0.8F, 0.7F}};
   settings.models = {{.name = "floor", .shape = Shape::plane, .segments = 1, .size = 5.0F},
-                     {.name = "ball", .shape = Shape::sphere, .segments = kFine, .size = 2.0F, .anchor = Anchor::base, .position = {0.9F, 0.0F, 0.0F}},
-                     {.name = "box", .shape = Shape::box, .segments = 1, .position = {-1.2F, 0.9F, 0.5F}, .rotation = {20.0F, 35.0F, 10.0F}, .scale = {1.0F, 1.3F, 0.8F}}};
+                     {.name = "ball",
+                      .shape = Shape::sphere,
+                      .segments = kFine,
+                      .size = 2.0F,
+                      .anchor = Anchor::base,
+                      .position = {0.9F, 0.0F, 0.0F}},
+                     {.name = "box",
+                      .shape = Shape::box,
+                      .segments = 1,
+                      .position = {-1.2F, 0.9F, 0.5F},
+                      .rotation = {20.0F, 35.0F, 10.0F},
+                      .scale = {1.0F, 1.3F, 0.8F}}};
   settings.models[0].material = {{0.7F, 0.6F, 0.5F}, 0.8F, 0.9F, 0.2F, 12.0F};
   settings.models[1].material = {{0.3F, 0.8F, 0.4F}, 1.0F, 0.7F, 0.5F, 40.0F};
   settings.models[2].material = {{0.4F, 0.5F, 0.9F}, 0.5F, 1.0F, 0.3F, 20.0F};

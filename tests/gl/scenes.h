@@ -5,8 +5,8 @@
 
 namespace inkbench {
 
-/// A floor, a sphere and a turned box, seen from above with a tilted camera; exact for the CPU's ray caster. One
-/// directional and one point light; stepped and smooth ramps. 161 x 117 px.
+/// A floor, a sphere and a turned box, seen from above with a tilted camera; exact for the CPU's ray caster.
+/// One directional and one point light; stepped and smooth ramps. 161 x 117 px.
 Settings analytic_scene();
 
 /// The paper's scene from data/scenes/paper.toml, the rabbit included.

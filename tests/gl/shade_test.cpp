@@ -13,9 +13,11 @@
 namespace inkbench {
 namespace {
 
-// From exact rays to the tessellated sphere N turns by up to 6e-4, and (N.H)^40 changes by up to 4 times that.
+// From exact rays to the tessellated sphere N turns by up to 6e-4, and (N.H)^40 changes by up to 4 times
+// that.
 constexpr double kTessellation = 3e-3;
-// From the same G-buffer: float arithmetic, most of it in the power, plus half a texel of a smooth ramp's table.
+// From the same G-buffer: float arithmetic, most of it in the power, plus half a texel of a smooth ramp's
+// table.
 constexpr double kArithmetic = 5e-4;
 
 void mark(ImageOf<uint8_t>& mask, const ImageOf<uint8_t>& more) {
@@ -34,7 +36,8 @@ void expect_reference(const Settings& settings) {
   const reference::Shading plain = shade_read_back(pipeline, settings, false);
   EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::blinn_phong), plain.colour, kArithmetic));
   const reference::Shading ramped = shade_read_back(pipeline, settings, settings.ramp.enabled);
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::shaded), ramped.colour, kArithmetic, &ramped.at_step));
+  EXPECT_TRUE(
+      is_near(pipeline.raw(settings, BufferName::shaded), ramped.colour, kArithmetic, &ramped.at_step));
   EXPECT_LT(share_of(ramped.at_step), 0.1);
 }
 
@@ -42,23 +45,29 @@ TEST(Shade, plain_light_equals_rays_on_floor_sphere_and_box) {
   const Settings settings = analytic_scene();
   const reference::Surface surface = reference::cast_rays(settings);
   const ImageOf<uint8_t> outlines = reference::outlines(surface);
-  const reference::Shading expected = reference::shade(settings, surface.normal, surface.depth, surface.object_id, false);
+  const reference::Shading expected =
+      reference::shade(settings, surface.normal, surface.depth, surface.object_id, false);
   Pipeline pipeline;
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::blinn_phong), expected.colour, kTessellation, &outlines));
+  EXPECT_TRUE(
+      is_near(pipeline.raw(settings, BufferName::blinn_phong), expected.colour, kTessellation, &outlines));
 }
 
 TEST(Shade, ramped_light_equals_rays_away_from_steps) {
   const Settings settings = analytic_scene();
   const reference::Surface surface = reference::cast_rays(settings);
   ImageOf<uint8_t> leave_out = reference::outlines(surface);
-  const reference::Shading expected = reference::shade(settings, surface.normal, surface.depth, surface.object_id, true);
+  const reference::Shading expected =
+      reference::shade(settings, surface.normal, surface.depth, surface.object_id, true);
   mark(leave_out, expected.at_step);
   EXPECT_LT(share_of(leave_out), 0.25);
   Pipeline pipeline;
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::shaded), expected.colour, kTessellation, &leave_out));
+  EXPECT_TRUE(
+      is_near(pipeline.raw(settings, BufferName::shaded), expected.colour, kTessellation, &leave_out));
 }
 
-TEST(Shade, sums_directional_and_point_lights) { expect_reference(analytic_scene()); }
+TEST(Shade, sums_directional_and_point_lights) {
+  expect_reference(analytic_scene());
+}
 
 TEST(Shade, equals_reference_with_each_light_alone) {
   for (size_t kept = 0; kept < 2; ++kept) {
@@ -87,7 +96,8 @@ TEST(Shade, too_many_lights_or_models_are_an_input_error) {
   Settings settings = small_scene();
   for (int i = 0; i < kMaxLights; ++i) settings.lights.push_back({.name = "light" + std::to_string(i)});
   Pipeline pipeline;
-  EXPECT_NE(input_error_of([&] { pipeline.raw(settings, BufferName::shaded); }).find("65 lights"), std::string::npos);
+  EXPECT_NE(input_error_of([&] { pipeline.raw(settings, BufferName::shaded); }).find("65 lights"),
+            std::string::npos);
   settings.lights.pop_back();
   EXPECT_NO_THROW(pipeline.raw(settings, BufferName::shaded));
 }
@@ -116,7 +126,9 @@ TEST(Shade, without_ramps_is_plain_blinn_phong) {
   Settings settings = analytic_scene();
   settings.ramp.enabled = false;
   Pipeline pipeline;
-  EXPECT_EQ(largest_difference(pipeline.raw(settings, BufferName::shaded), pipeline.raw(settings, BufferName::blinn_phong)), 0.0);
+  EXPECT_EQ(largest_difference(pipeline.raw(settings, BufferName::shaded),
+                               pipeline.raw(settings, BufferName::blinn_phong)),
+            0.0);
 }
 
 TEST(Shade, blinn_phong_does_not_depend_on_ramps) {
@@ -136,11 +148,13 @@ TEST(Shade, linear_ramp_is_plain_blinn_phong) {
   settings.ramp.specular = settings.ramp.diffuse;
   Pipeline pipeline;
   // A table of 1024 colours is off by half of one in each of two lights' diffuse and specular terms.
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::shaded), pipeline.raw(settings, BufferName::blinn_phong), 1.5e-3));
+  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::shaded),
+                      pipeline.raw(settings, BufferName::blinn_phong), 1.5e-3));
 }
 
 TEST(Shade, ramp_replaces_darkness_too) {
-  // 3.2: the lookup stands in for NdotL also where it is 0, so the side away from the light has the ramp's first colour.
+  // 3.2: the lookup stands in for NdotL also where it is 0, so the side away from the light has the ramp's
+  // first colour.
   Settings settings = small_scene();
   settings.lights[0].direction = {0.0F, 0.0F, -1.0F};
   settings.lights[0].specular = glm::vec3(0.0F);
@@ -149,12 +163,14 @@ TEST(Shade, ramp_replaces_darkness_too) {
   settings.scene.ambient = glm::vec3(0.0F);
   Pipeline pipeline;
   const Image shaded = pipeline.raw(settings, BufferName::shaded);
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(shaded.at(24, 20, c), settings.ramp.diffuse.stops[0].colour[c], 1e-6);
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(shaded.at(24, 20, c), settings.ramp.diffuse.stops[0].colour[c], 1e-6);
 }
 
 TEST(Shade, ramp_image_is_read_at_its_nearest_pixel) {
   const TempFolder folder;
-  constexpr std::array<std::array<uint8_t, 3>, 4> kColours{{{0, 51, 102}, {51, 102, 153}, {102, 153, 204}, {255, 204, 51}}};
+  constexpr std::array<std::array<uint8_t, 3>, 4> kColours{
+      {{0, 51, 102}, {51, 102, 153}, {102, 153, 204}, {255, 204, 51}}};
   Picture picture(4, 2, 3, 255);  // the second row is not looked at
   Settings with_stops = analytic_scene();
   with_stops.ramp.diffuse.stops.clear();
@@ -178,7 +194,8 @@ TEST(Shade, missing_ramp_image_is_an_input_error) {
   Settings settings = small_scene();
   settings.ramp.diffuse.image = "/nowhere/ramp.png";
   Pipeline pipeline;
-  EXPECT_NE(input_error_of([&] { pipeline.raw(settings, BufferName::shaded); }).find("/nowhere/ramp.png"), std::string::npos);
+  EXPECT_NE(input_error_of([&] { pipeline.raw(settings, BufferName::shaded); }).find("/nowhere/ramp.png"),
+            std::string::npos);
 }
 
 }  // namespace

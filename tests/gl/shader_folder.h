@@ -1,4 +1,5 @@
-// A copy of the project's shaders in a temporary folder that the program reads instead, to edit them in tests.
+// A copy of the project's shaders in a temporary folder that the program reads instead, to edit them in
+// tests.
 #pragma once
 
 #include "pipeline/base/files.h"

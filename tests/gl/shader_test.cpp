@@ -1,4 +1,5 @@
-// Shaders that do not compile, include wrongly or read what nobody supplies: an input error that names file and line.
+// Shaders that do not compile, include wrongly or read what nobody supplies: an input error that names file
+// and line.
 #include <gtest/gtest.h>
 
 #include "pipeline/pipeline.h"
@@ -22,19 +23,24 @@ class Shaders : public testing::Test {
 };
 
 TEST_F(Shaders, syntax_error_names_file_and_line) {
-  const std::string error = error_of("#version 450 core\nout vec4 colour;\nvoid main() {\n  colour = vec4(1.0)\n}\n");
+  const std::string error =
+      error_of("#version 450 core\nout vec4 colour;\nvoid main() {\n  colour = vec4(1.0)\n}\n");
   EXPECT_TRUE(contains(error, "shaders/test.frag:5") || contains(error, "shaders/test.frag:4")) << error;
 }
 
 TEST_F(Shaders, error_in_an_included_file_names_that_file) {
   folder_.write("lib/broken.glsl", "float fine() { return 1.0; }\nfloat broken() { return nonsense; }\n");
-  const std::string error = error_of("#version 450 core\n#include \"lib/broken.glsl\"\nout vec4 colour;\nvoid main() { colour = vec4(broken()); }\n");
+  const std::string error = error_of(
+      "#version 450 core\n#include \"lib/broken.glsl\"\nout vec4 colour;\nvoid main() { colour = "
+      "vec4(broken()); }\n");
   EXPECT_TRUE(contains(error, "shaders/lib/broken.glsl:2")) << error;
 }
 
 TEST_F(Shaders, lines_after_an_include_keep_their_numbers) {
   folder_.write("lib/long.glsl", "\n\n\n\n\nfloat one() { return 1.0; }\n");
-  const std::string error = error_of("#version 450 core\n#include \"lib/long.glsl\"\nout vec4 colour;\nvoid main() { colour = nonsense; }\n");
+  const std::string error = error_of(
+      "#version 450 core\n#include \"lib/long.glsl\"\nout vec4 colour;\nvoid main() { colour = nonsense; "
+      "}\n");
   EXPECT_TRUE(contains(error, "shaders/test.frag:4")) << error;
 }
 
@@ -57,7 +63,9 @@ TEST_F(Shaders, circular_include_names_the_line_that_closes_the_circle) {
 
 TEST_F(Shaders, file_included_twice_is_there_once) {
   folder_.write("lib/one.glsl", "float one() { return 1.0; }\n");
-  folder_.write("test.frag", "#version 450 core\n#include \"lib/one.glsl\"\n#include \"lib/one.glsl\"\nout vec4 colour;\nvoid main() { colour = vec4(one()); }\n");
+  folder_.write("test.frag",
+                "#version 450 core\n#include \"lib/one.glsl\"\n#include \"lib/one.glsl\"\nout vec4 "
+                "colour;\nvoid main() { colour = vec4(one()); }\n");
   EXPECT_NO_THROW(Program("full_screen.vert", "test.frag", {}, generated_sources()));
 }
 
@@ -67,25 +75,47 @@ TEST_F(Shaders, missing_shader_is_named) {
 }
 
 TEST_F(Shaders, uniform_that_nobody_supplies_is_an_error) {
-  const std::string error = error_of("#version 450 core\nuniform float strength;\nout vec4 colour;\nvoid main() { colour = vec4(strength); }\n");
-  EXPECT_TRUE(contains(error, "shaders/test.frag") && contains(error, "'strength'")) << error;
+  const std::string error = error_of(
+      "#version 450 core\nuniform float strength;\nout vec4 colour;\nvoid main() { colour = vec4(strength); "
+      "}\n");
+  EXPECT_TRUE(contains(error, "shaders/test.frag:2") && contains(error, "'strength'")) << error;
+}
+
+TEST_F(Shaders, uniform_of_a_vertex_shader_or_an_included_file_names_that_file) {
+  folder_.write(
+      "test.vert",
+      "#version 450 core\n\nuniform float strength;\nvoid main() { gl_Position = vec4(strength); }\n");
+  folder_.write("test.frag", "#version 450 core\nout vec4 colour;\nvoid main() { colour = vec4(1.0); }\n");
+  const std::string in_vertex = input_error_of([] { Program("test.vert", "test.frag", {}, {}); });
+  EXPECT_TRUE(contains(in_vertex, "shaders/test.vert:3")) << in_vertex;
+  folder_.write("lib/strong.glsl", "\n// strengths\n\nuniform float strengths[3];\n");
+  const std::string in_included = error_of(
+      "#version 450 core\n#include \"lib/strong.glsl\"\nout vec4 colour;\nvoid main() { colour = "
+      "vec4(strengths[int(gl_FragCoord.x)]); }\n");
+  EXPECT_TRUE(contains(in_included, "shaders/lib/strong.glsl:4")) << in_included;
 }
 
 TEST_F(Shaders, sampler_that_nobody_supplies_is_an_error) {
-  const std::string error = error_of("#version 450 core\nuniform sampler2D depth_mpa;\nout vec4 colour;\nvoid main() { colour = texelFetch(depth_mpa, ivec2(0), 0); }\n",
-                                     {.samplers = {"depth_map"}});
+  const std::string error = error_of(
+      "#version 450 core\nuniform sampler2D depth_mpa;\nout vec4 colour;\nvoid main() { colour = "
+      "texelFetch(depth_mpa, ivec2(0), 0); }\n",
+      {.samplers = {"depth_map"}});
   EXPECT_TRUE(contains(error, "'depth_mpa'")) << error;
 }
 
 TEST_F(Shaders, uniform_block_that_nobody_supplies_is_an_error) {
-  const std::string error = error_of("#version 450 core\nlayout(std140) uniform wrong_block { float gain; } wrong;\nout vec4 colour;\nvoid main() { colour = vec4(wrong.gain); }\n",
-                                     {.uniform_blocks = {"right_block"}});
+  const std::string error = error_of(
+      "#version 450 core\nlayout(std140) uniform wrong_block { float gain; } wrong;\nout vec4 colour;\nvoid "
+      "main() { colour = vec4(wrong.gain); }\n",
+      {.uniform_blocks = {"right_block"}});
   EXPECT_TRUE(contains(error, "'wrong_block'")) << error;
 }
 
 TEST_F(Shaders, parameter_without_description_is_no_member) {
-  const std::string error = error_of("#version 450 core\n#include \"generated/combine.glsl\"\nout vec4 colour;\nvoid main() {\n  colour = vec4(combine.k_dpeth);\n}\n",
-                                     {.uniform_blocks = {"combine_block"}});
+  const std::string error = error_of(
+      "#version 450 core\n#include \"generated/combine.glsl\"\nout vec4 colour;\nvoid main() {\n  colour = "
+      "vec4(combine.k_dpeth);\n}\n",
+      {.uniform_blocks = {"combine_block"}});
   EXPECT_TRUE(contains(error, "shaders/test.frag:5") && contains(error, "k_dpeth")) << error;
 }
 
