@@ -1,4 +1,5 @@
-// The subcommands of `inkbench`: each declares its options and help, and runs after parsing. One command, one file.
+// The subcommands of `inkbench`: each declares its options and help, and runs after parsing. One command, one
+// file.
 #pragma once
 
 #include <CLI/CLI.hpp>

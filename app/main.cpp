@@ -21,8 +21,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "inkbench " INKBENCH_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
-  app.footer("Example:\n  inkbench render --set combine.k_depth=0.001 --buffers final,combined_edges --out out/first\n\n"
-             "`inkbench COMMAND --help` explains a command.");
+  app.footer(
+      "Example:\n  inkbench render --set combine.k_depth=0.001 --buffers final,combined_edges --out "
+      "out/first\n\n"
+      "`inkbench COMMAND --help` explains a command.");
   inkbench::add_render_command(app);
   inkbench::add_study_command(app);
   inkbench::add_params_command(app);

@@ -33,7 +33,8 @@ std::string progress_text(const StudyProgress& progress) {
   return text;
 }
 
-ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1), next_seconds_(terminal_ ? 0.0 : kQuietSeconds) {}
+ProgressLine::ProgressLine()
+    : terminal_(isatty(STDERR_FILENO) == 1), next_seconds_(terminal_ ? 0.0 : kQuietSeconds) {}
 
 void ProgressLine::show(const StudyProgress& progress) {
   if (progress.seconds < next_seconds_) return;

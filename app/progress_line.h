@@ -1,4 +1,5 @@
-// A study's progress on stderr: one line that renews itself on a terminal, a quiet line now and then elsewhere.
+// A study's progress on stderr: one line that renews itself on a terminal, a quiet line now and then
+// elsewhere.
 #pragma once
 
 #include "studies/sweep/run_study.h"

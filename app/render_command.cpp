@@ -23,7 +23,8 @@ struct RenderOptions {
 
 Settings base_settings(const RenderOptions& options, std::string& buffers) {
   if (options.from.empty()) {
-    return load_settings(options.scene.empty() ? project_file("data/scenes/paper.toml") : fs::path(options.scene));
+    return load_settings(options.scene.empty() ? project_file("data/scenes/paper.toml")
+                                               : fs::path(options.scene));
   }
   ImageOrigin origin = read_origin(options.from);
   if (buffers.empty()) buffers = name_of(origin.buffer);
@@ -37,7 +38,8 @@ void render(const RenderOptions& options) {
   if (!options.size.empty()) apply_size(settings, options.size);
   for (const std::string& assignment : options.assignments) apply_assignment(settings, assignment);
   check_settings(settings);
-  const std::vector<BufferName> buffers = parse_buffers(split(names.empty() ? "final" : names, ','), "--buffers");
+  const std::vector<BufferName> buffers =
+      parse_buffers(split(names.empty() ? "final" : names, ','), "--buffers");
   const ExportFormat format = options.format == "exr" ? ExportFormat::exr : ExportFormat::png;
   const HeadlessContext context;
   Pipeline pipeline;
@@ -52,22 +54,29 @@ void render(const RenderOptions& options) {
 void add_render_command(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Draw a scene and write its buffers as image files");
-  auto* scene = command->add_option("--scene", options->scene, "Scene file (TOML); the paper's scene without it");
-  command->add_option("--from", options->from, "Make an exported image again, from the parameters it carries")->excludes(scene);
-  command->add_option("--mesh", options->mesh, "Mesh file (OBJ, PLY, OFF, STL) to put where the main model stands");
+  auto* scene =
+      command->add_option("--scene", options->scene, "Scene file (TOML); the paper's scene without it");
+  command->add_option("--from", options->from, "Make an exported image again, from the parameters it carries")
+      ->excludes(scene);
+  command->add_option("--mesh", options->mesh,
+                      "Mesh file (OBJ, PLY, OFF, STL) to put where the main model stands");
   command->add_option("--size", options->size, "Image size in px, as WIDTHxHEIGHT");
-  command->add_option("--set", options->assignments, "KEY=VALUE: set a parameter (`inkbench params` lists them); repeatable")
+  command
+      ->add_option("--set", options->assignments,
+                   "KEY=VALUE: set a parameter (`inkbench params` lists them); repeatable")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--buffers", options->buffers,
-                      "Comma-separated: normal, depth, normal_edges, depth_edges, combined_edges, shaded, final, "
-                      "blinn_phong, object_id, or all; final without it");
+  command->add_option(
+      "--buffers", options->buffers,
+      "Comma-separated: normal, depth, normal_edges, depth_edges, combined_edges, shaded, final, "
+      "blinn_phong, object_id, or all; final without it");
   command->add_option("--format", options->format, "png: pictures; exr: raw 32-bit float values")
       ->check(CLI::IsMember({"png", "exr"}));
   command->add_option("--out", options->out, "Folder for the images, made if missing")->required();
-  command->footer("Examples:\n  inkbench render --buffers all --out out/paper\n"
-                  "  inkbench render --mesh head.ply --size 1024x768 --set combine.k_normal=0.02 --out out/head\n"
-                  "  inkbench render --from out/paper/final.png --out out/again");
+  command->footer(
+      "Examples:\n  inkbench render --buffers all --out out/paper\n"
+      "  inkbench render --mesh head.ply --size 1024x768 --set combine.k_normal=0.02 --out out/head\n"
+      "  inkbench render --from out/paper/final.png --out out/again");
   command->callback([options] { render(*options); });
 }
 

@@ -50,8 +50,9 @@ void list_studies() {
 
 /// A spec as it was named: a path, or a bundled one's path or short name.
 fs::path find_spec(const std::string& name) {
-  for (const fs::path& candidate : {fs::path(name), project_root() / name, project_root() / "studies" / (name + ".toml"),
-                                    project_root() / "studies/figures" / (name + ".toml")}) {
+  for (const fs::path& candidate :
+       {fs::path(name), project_root() / name, project_root() / "studies" / (name + ".toml"),
+        project_root() / "studies/figures" / (name + ".toml")}) {
     if (fs::exists(candidate)) return candidate;
   }
   throw input_error(name, "there is no such study", "`inkbench study list` names the bundled ones");
@@ -63,8 +64,9 @@ void print_plan(const StudySpec& spec) {
   for (const Axis& axis : spec.axes) sides.push_back(std::to_string(axis.values.size()));
   const ImageParams& image = spec.base.image;
   const double bytes = 3.0 * image.width * image.height * static_cast<double>(count * spec.show.size());
-  fmt::print("{}: {} cell{}{} of {} x {} px, at most {}\n", spec.title, with_commas(static_cast<long long>(count)),
-             count == 1 ? "" : "s", sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", image.width, image.height,
+  fmt::print("{}: {} cell{}{} of {} x {} px, at most {}\n", spec.title,
+             with_commas(static_cast<long long>(count)), count == 1 ? "" : "s",
+             sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", image.width, image.height,
              readable_bytes(bytes));
   std::fflush(stdout);
 }
@@ -72,12 +74,14 @@ void print_plan(const StudySpec& spec) {
 void print_cells(const StudySpec& spec) {
   constexpr size_t kShown = 50;
   const size_t count = cell_count(spec);
-  for (size_t i = 0; i < std::min(count, kShown); ++i) fmt::print("  {:>5}  {}\n", i + 1, make_cell(spec, i).name);
+  for (size_t i = 0; i < std::min(count, kShown); ++i)
+    fmt::print("  {:>5}  {}\n", i + 1, make_cell(spec, i).name);
   if (count > kShown) fmt::print("  ... and {} more\n", with_commas(static_cast<long long>(count - kShown)));
 }
 
 /// Runs one study; returns whether all of it worked.
-bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder, const StudyArguments& arguments) {
+bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
+             const StudyArguments& arguments) {
   ProgressLine line;
   StudyOptions options;
   options.folder = folder;
@@ -93,12 +97,12 @@ bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder, 
     fmt::print(stderr, "inkbench: error: {}\n", result.failures[i]);
   }
   if (!result.failures.empty()) {
-    fmt::print(stderr, "inkbench: error: {} of {} cells failed; the same command tries them again\n", result.failures.size(),
-               result.progress.total);
+    fmt::print(stderr, "inkbench: error: {} of {} cells failed; the same command tries them again\n",
+               result.failures.size(), result.progress.total);
   }
   if (result.stopped) {
-    fmt::print(stderr, "inkbench: error: stopped after {} of {} cells; the same command continues\n", result.progress.done,
-               result.progress.total);
+    fmt::print(stderr, "inkbench: error: stopped after {} of {} cells; the same command continues\n",
+               result.progress.done, result.progress.total);
   }
   return result.failures.empty() && !result.stopped;
 }
@@ -108,7 +112,9 @@ void study(const StudyArguments& arguments) {
   const fs::path path = find_spec(arguments.spec);
   const bool is_folder = fs::is_directory(path);
   const std::vector<fs::path> paths = is_folder ? specs_in(path) : std::vector{path};
-  if (paths.empty()) throw input_error(path.string(), "holds no studies", "a folder of .toml files, or one of them, is needed");
+  if (paths.empty())
+    throw input_error(path.string(), "holds no studies",
+                      "a folder of .toml files, or one of them, is needed");
   const fs::path named = path.has_filename() ? path : path.parent_path();
   const fs::path base = arguments.out.empty() ? fs::path("out") / named.stem() : fs::path(arguments.out);
 
@@ -141,17 +147,24 @@ int& exit_status() {
 
 void add_study_command(CLI::App& app) {
   auto arguments = std::make_shared<StudyArguments>();
-  CLI::App* command = app.add_subcommand("study", "Run a study: sweep parameters, write a grid, cells and a table");
-  command->add_option("SPEC", arguments->spec, "Spec file (TOML), a folder of them, a bundled study's name, or `list`")->required();
+  CLI::App* command =
+      app.add_subcommand("study", "Run a study: sweep parameters, write a grid, cells and a table");
+  command
+      ->add_option("SPEC", arguments->spec,
+                   "Spec file (TOML), a folder of them, a bundled study's name, or `list`")
+      ->required();
   command->add_option("--out", arguments->out, "Folder for the results; out/<spec's name> without it");
-  command->add_option("--set", arguments->assignments, "KEY=VALUE: set a base value (`inkbench params` lists them); repeatable")
+  command
+      ->add_option("--set", arguments->assignments,
+                   "KEY=VALUE: set a base value (`inkbench params` lists them); repeatable")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--dry-run", arguments->dry_run, "Check the spec and say what would run");
   command->add_flag("--fresh", arguments->fresh, "Start over instead of continuing");
   command->add_flag("--fail-fast", arguments->fail_fast, "Stop at the first cell that fails");
-  command->footer("Examples:\n  inkbench study list\n  inkbench study studies/k_sweep.toml --out out/k_sweep\n"
-                  "  inkbench study studies/figures");
+  command->footer(
+      "Examples:\n  inkbench study list\n  inkbench study studies/k_sweep.toml --out out/k_sweep\n"
+      "  inkbench study studies/figures");
   command->callback([arguments] { study(*arguments); });
 }
 

@@ -1,5 +1,5 @@
-// What a frame and each kind of change cost, on the paper's scene at 512, 1024 and 2048 px squared. Figures are only
-// comparable within one run; the passes run are counted beside the times.
+// What a frame and each kind of change cost, on the paper's scene at 512, 1024 and 2048 px squared. Figures
+// are only comparable within one run; the passes run are counted beside the times.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 
@@ -60,11 +60,14 @@ void whole_frame_from_nothing(benchmark::State& state) {
 }
 
 void k_change(benchmark::State& state) {
-  time_change(state, [](Settings& s, int i) { s.combine.k_depth = 0.003F + 1e-5F * static_cast<float>(i % 100); });
+  time_change(state,
+              [](Settings& s, int i) { s.combine.k_depth = 0.003F + 1e-5F * static_cast<float>(i % 100); });
 }
 
 void ramp_change(benchmark::State& state) {
-  time_change(state, [](Settings& s, int i) { s.ramp.diffuse.stops[1].position = 0.1F + 1e-3F * static_cast<float>(i % 100); });
+  time_change(state, [](Settings& s, int i) {
+    s.ramp.diffuse.stops[1].position = 0.1F + 1e-3F * static_cast<float>(i % 100);
+  });
 }
 
 void camera_change(benchmark::State& state) {
@@ -82,14 +85,20 @@ void study_cell(benchmark::State& state) {
   int i = 0;
   for ([[maybe_unused]] auto _ : state) {
     settings.combine.k_normal = 0.0125F + 1e-5F * static_cast<float>(++i % 100);
-    write_png(file, bench().pipeline.picture(settings, BufferName::final), export_text(settings, BufferName::final));
+    write_png(file, bench().pipeline.picture(settings, BufferName::final),
+              export_text(settings, BufferName::final));
   }
   settings.combine.k_normal = 0.0125F;
   std::filesystem::remove(file);
 }
 
 void sizes(benchmark::internal::Benchmark* benchmark) {
-  benchmark->Arg(512)->Arg(1024)->Arg(2048)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+  benchmark->Arg(512)
+      ->Arg(1024)
+      ->Arg(2048)
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime()
+      ->MeasureProcessCPUTime();
 }
 
 BENCHMARK(whole_frame_from_nothing)->Apply(sizes);

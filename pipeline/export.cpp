@@ -40,7 +40,8 @@ ImageOrigin read_origin(const std::filesystem::path& image) {
   }
   ImageOrigin origin;
   origin.settings = parse_settings(settings, image.string() + " (metadata)", "/");
-  origin.buffer = parse_buffers({read_image_text(image, kBufferEntry)}, image.string() + " (metadata)").front();
+  origin.buffer =
+      parse_buffers({read_image_text(image, kBufferEntry)}, image.string() + " (metadata)").front();
   origin.version = read_image_text(image, kVersionEntry);
   return origin;
 }

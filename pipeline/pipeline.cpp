@@ -12,7 +12,8 @@ namespace {
 /// The canonical text of a described struct: what a key folds of it.
 std::string group_text(const Description& description, const void* owner) {
   std::string text;
-  for (const Field& field : description.fields) text += fmt::format("{} = {}\n", field.name, to_text(field.get(owner)));
+  for (const Field& field : description.fields)
+    text += fmt::format("{} = {}\n", field.name, to_text(field.get(owner)));
   return text;
 }
 
@@ -37,7 +38,8 @@ Key shade_key(const ShadeParams& params, const Key& gbuffer, const Key& program)
   for (const LightParams& light : params.lights) builder.add(group_text(light));
   for (const MaterialParams& material : params.materials) builder.add(group_text(material));
   builder.add(params.ramp.enabled ? group_text(params.ramp) : "no ramps");
-  if (params.ramp.enabled) builder.add(ramp_content(params.ramp.diffuse)).add(ramp_content(params.ramp.specular));
+  if (params.ramp.enabled)
+    builder.add(ramp_content(params.ramp.diffuse)).add(ramp_content(params.ramp.specular));
   return builder.key();
 }
 
@@ -47,10 +49,11 @@ GeneratedSources generated_sources() {
   return {
       {"generated/combine.glsl", glsl_uniform_block(CombineParams::description(), "combine")},
       {"generated/ink.glsl", glsl_uniform_block(InkParams::description(), "ink")},
-      {"generated/light.glsl", glsl_choices(LightParams::description(), "light") + glsl_struct(LightParams::description(), "Light") +
-                                     fmt::format("const int max_lights = {};\n", kMaxLights)},
+      {"generated/light.glsl", glsl_choices(LightParams::description(), "light") +
+                                   glsl_struct(LightParams::description(), "Light") +
+                                   fmt::format("const int max_lights = {};\n", kMaxLights)},
       {"generated/material.glsl", glsl_struct(MaterialParams::description(), "Material") +
-                                        fmt::format("const int max_models = {};\n", kMaxModels)},
+                                      fmt::format("const int max_models = {};\n", kMaxModels)},
   };
 }
 
@@ -92,7 +95,13 @@ PassKeys Pipeline::keys(const Settings& settings) {
   keys.shade = shade_key(shade, keys.gbuffer, shade_pass_.program().key());
   shade.ramp.enabled = false;
   keys.blinn_phong = shade_key(shade, keys.gbuffer, shade_pass_.program().key());
-  keys.ink = KeyBuilder().add("ink").add(ink_pass_.program().key()).add(keys.shade).add(keys.combine).add(group_text(settings.ink)).key();
+  keys.ink = KeyBuilder()
+                 .add("ink")
+                 .add(ink_pass_.program().key())
+                 .add(keys.shade)
+                 .add(keys.combine)
+                 .add(group_text(settings.ink))
+                 .key();
   return keys;
 }
 
@@ -116,7 +125,8 @@ std::vector<DrawItem> Pipeline::draw_items(const Settings& settings) {
 const GBuffer& Pipeline::gbuffer(const Settings& settings, const PassKeys& keys) {
   return gbuffer_.get(keys.gbuffer, [&] {
     check_settings(settings);
-    return gbuffer_pass_.run(settings.camera, draw_items(settings), settings.image.width, settings.image.height);
+    return gbuffer_pass_.run(settings.camera, draw_items(settings), settings.image.width,
+                             settings.image.height);
   });
 }
 
@@ -128,7 +138,8 @@ const Texture& Pipeline::maps(const Settings& settings, const PassKeys& keys) {
 
 const Texture& Pipeline::gradient(const Settings& settings, const PassKeys& keys) {
   const Texture& normal_and_depth = maps(settings, keys);
-  return gradient_.get(keys.gradient, [&] { return gradient_pass_.run(normal_and_depth, settings.image.precision); });
+  return gradient_.get(keys.gradient,
+                       [&] { return gradient_pass_.run(normal_and_depth, settings.image.precision); });
 }
 
 const Texture& Pipeline::range(const Settings& settings, const PassKeys& keys) {
@@ -138,7 +149,8 @@ const Texture& Pipeline::range(const Settings& settings, const PassKeys& keys) {
 
 const Texture& Pipeline::combined(const Settings& settings, const PassKeys& keys) {
   const Texture& r = range(settings, keys);
-  return combined_.get(keys.combine, [&] { return combine_pass_.run(settings.combine, r, settings.image.precision); });
+  return combined_.get(keys.combine,
+                       [&] { return combine_pass_.run(settings.combine, r, settings.image.precision); });
 }
 
 const Texture& Pipeline::shaded(const Settings& settings, const PassKeys& keys) {
@@ -209,20 +221,23 @@ Image Pipeline::raw(const Settings& settings, BufferName buffer) {
 
 void Pipeline::forget_results() {
   gbuffer_.forget();
-  for (Stage<Texture>* stage : {&quantised_, &gradient_, &range_, &combined_, &shaded_, &blinn_phong_, &final_}) stage->forget();
+  for (Stage<Texture>* stage :
+       {&quantised_, &gradient_, &range_, &combined_, &shaded_, &blinn_phong_, &final_})
+    stage->forget();
   clear_texture_pool();
 }
 
 std::map<std::string, StageCount> Pipeline::counts() const {
-  return {{"gbuffer", gbuffer_.count()},   {"quantise", quantised_.count()}, {"gradient", gradient_.count()},
-          {"range", range_.count()},       {"combine", combined_.count()},   {"shade", shaded_.count()},
+  return {{"gbuffer", gbuffer_.count()},   {"quantise", quantised_.count()},
+          {"gradient", gradient_.count()}, {"range", range_.count()},
+          {"combine", combined_.count()},  {"shade", shaded_.count()},
           {"ink", final_.count()},         {"blinn_phong", blinn_phong_.count()}};
 }
 
 void Pipeline::reload_changed_shaders() {
   for (Program* program : {&gbuffer_pass_.program(), &quantise_pass_.program(), &gradient_pass_.program(),
-                           &range_pass_.program(), &combine_pass_.program(), &shade_pass_.program(), &ink_pass_.program(),
-                           &picture_pass_.program()}) {
+                           &range_pass_.program(), &combine_pass_.program(), &shade_pass_.program(),
+                           &ink_pass_.program(), &picture_pass_.program()}) {
     program->reload_if_changed(generated_);
   }
 }

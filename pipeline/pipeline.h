@@ -1,5 +1,5 @@
-// Settings to buffers, the paper's whole chain. Asking for a buffer computes what it needs and nothing else; what
-// an earlier call computed from the same inputs is used again.
+// Settings to buffers, the paper's whole chain. Asking for a buffer computes what it needs and nothing else;
+// what an earlier call computed from the same inputs is used again.
 #pragma once
 
 #include <map>
@@ -38,18 +38,19 @@ class Pipeline {
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
 
-  /// The buffer's picture, H x W x 3, with the display gains. Errors (input): the settings' meshes, ramps or size;
-  /// (work): what OpenGL reports, with the pass.
+  /// The buffer's picture, H x W x 3, with the display gains. Errors (input): the settings' meshes, ramps or
+  /// size; (work): what OpenGL reports, with the pass.
   Picture picture(const Settings& settings, BufferName buffer);
 
-  /// The buffer's raw values, the ones that the next pass reads: H x W x 3 for normal, shaded, final and blinn_phong,
-  /// else H x W x 1. Errors as `picture`.
+  /// The buffer's raw values, the ones that the next pass reads: H x W x 3 for normal, shaded, final and
+  /// blinn_phong, else H x W x 1. Errors as `picture`.
   Image raw(const Settings& settings, BufferName buffer);
 
   /// Computes the buffer without reading it back.
   void draw(const Settings& settings, BufferName buffer);
 
-  /// Drops every stage's value and its memory, so that the next call runs each pass it needs; meshes and programs stay.
+  /// Drops every stage's value and its memory, so that the next call runs each pass it needs; meshes and
+  /// programs stay.
   void forget_results();
 
   PassKeys keys(const Settings& settings);

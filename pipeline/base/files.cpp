@@ -38,8 +38,8 @@ std::string reason(int error_number) {
 
 constexpr std::string_view kTemporaryMark = ".part";
 
-/// Whether the name is a temporary one ("grid.png.part812-3") whose writer, by its process id, no longer runs. Our own
-/// id counts as that of an earlier process: in a container every run may have the same.
+/// Whether the name is a temporary one ("grid.png.part812-3") whose writer, by its process id, no longer
+/// runs. Our own id counts as that of an earlier process: in a container every run may have the same.
 bool is_abandoned(const std::string& name) {
   const size_t mark = name.rfind(kTemporaryMark);
   if (mark == std::string::npos) return false;
@@ -47,14 +47,16 @@ bool is_abandoned(const std::string& name) {
   int count = 0;
   int length = 0;
   const std::string rest = name.substr(mark + kTemporaryMark.size());
-  const bool fits = std::sscanf(rest.c_str(), "%d-%d%n", &process, &count, &length) == 2 && length == static_cast<int>(rest.size());
+  const bool fits = std::sscanf(rest.c_str(), "%d-%d%n", &process, &count, &length) == 2 &&
+                    length == static_cast<int>(rest.size());
   if (!fits || process <= 0) return false;
   return process == getpid() || (kill(process, 0) != 0 && errno == ESRCH);
 }
 
 std::vector<fs::path> project_roots() {
   std::vector<fs::path> roots;
-  if (const char* root = std::getenv("INKBENCH_ROOT"); root != nullptr && *root != '\0') roots.emplace_back(root);
+  if (const char* root = std::getenv("INKBENCH_ROOT"); root != nullptr && *root != '\0')
+    roots.emplace_back(root);
   std::error_code error;
   const fs::path executable = fs::read_symlink("/proc/self/exe", error);
   if (!error) roots.push_back(executable.parent_path());

@@ -1,4 +1,5 @@
-// Files read whole and written all or nothing, and where the project's own files (shaders, data, studies) lie.
+// Files read whole and written all or nothing, and where the project's own files (shaders, data, studies)
+// lie.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +17,16 @@ namespace fs = std::filesystem;
 std::string read_file(const fs::path& path);
 
 /// Writes beside `path` under a temporary name and renames at the end, so that `path` holds either its old
-/// content or all of the new one. Makes the parent folder. Errors (work): unwritable, full disk; the temporary
-/// file is removed.
+/// content or all of the new one. Makes the parent folder. Errors (work): unwritable, full disk; the
+/// temporary file is removed.
 void write_file_atomically(const fs::path& path, std::string_view content);
 
 /// The same for content written in pieces: `write(data)` is called through `sink`.
 using FileSink = std::function<void(std::span<const uint8_t>)>;
 void write_file_atomically(const fs::path& path, const std::function<void(const FileSink&)>& produce);
 
-/// A file under a temporary name beside `path` that takes its name at `commit` and otherwise disappears. For writers
-/// that outlive one call; `write_file_atomically` is simpler. All errors are of kind work.
+/// A file under a temporary name beside `path` that takes its name at `commit` and otherwise disappears. For
+/// writers that outlive one call; `write_file_atomically` is simpler. All errors are of kind work.
 class PendingFile {
  public:
   explicit PendingFile(const fs::path& path);
@@ -50,7 +51,8 @@ void remove_abandoned_files(const fs::path& folder);
 void make_folder(const fs::path& path);
 
 /// A file of the project itself, by its path in the source tree ("shaders/combine.frag"): looked for under
-/// $INKBENCH_ROOT, then beside the executable, then in the source tree. Errors (work): where it was looked for.
+/// $INKBENCH_ROOT, then beside the executable, then in the source tree. Errors (work): where it was looked
+/// for.
 fs::path project_file(std::string_view relative);
 
 /// The first folder of that search that holds the project's files.

@@ -1,5 +1,5 @@
-// An OpenGL 4.5 core context without a window, from EGL: a GPU's device platform where there is one, else Mesa's
-// software renderer without a surface.
+// An OpenGL 4.5 core context without a window, from EGL: a GPU's device platform where there is one, else
+// Mesa's software renderer without a surface.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ enum class RendererChoice { automatic, gpu, software };
 
 class HeadlessContext {
  public:
-  /// Makes the context and makes it current on this thread. Errors (work): no EGL or no OpenGL 4.5, with the package to
-  /// install; (input) $INKBENCH_RENDERER is none of its words.
+  /// Makes the context and makes it current on this thread. Errors (work): no EGL or no OpenGL 4.5, with the
+  /// package to install; (input) $INKBENCH_RENDERER is none of its words.
   HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;
   HeadlessContext& operator=(const HeadlessContext&) = delete;

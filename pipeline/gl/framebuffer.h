@@ -9,8 +9,8 @@ namespace inkbench {
 
 class RenderTarget {
  public:
-  /// Colour textures in the order of the shader's outputs, and a depth texture or nullptr; all of one size. Sets the
-  /// viewport and switches depth testing on exactly when there is a depth texture.
+  /// Colour textures in the order of the shader's outputs, and a depth texture or nullptr; all of one size.
+  /// Sets the viewport and switches depth testing on exactly when there is a depth texture.
   RenderTarget(std::initializer_list<const Texture*> colours, const Texture* depth);
   RenderTarget(const RenderTarget&) = delete;
   RenderTarget& operator=(const RenderTarget&) = delete;

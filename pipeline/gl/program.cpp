@@ -103,7 +103,8 @@ void Program::bind_blocks(GLuint program) const {
   glGetProgramInterfaceiv(program, GL_UNIFORM_BLOCK, GL_ACTIVE_RESOURCES, &count);
   for (GLint i = 0; i < count; ++i) {
     const std::string name = resource_name(program, GL_UNIFORM_BLOCK, i);
-    glUniformBlockBinding(program, i, static_cast<GLuint>(place_of(name, inputs_.uniform_blocks, fragment_name_)));
+    glUniformBlockBinding(program, i,
+                          static_cast<GLuint>(place_of(name, inputs_.uniform_blocks, fragment_name_)));
   }
 }
 

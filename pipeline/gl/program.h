@@ -20,12 +20,13 @@ struct ProgramInputs {
 
 class Program {
  public:
-  /// Compiles shaders/`vertex` and shaders/`fragment`. Errors (input): file and line of what the compiler objects to; an
-  /// active uniform or block that is not among the inputs.
-  Program(const std::string& vertex, const std::string& fragment, ProgramInputs inputs, const GeneratedSources& generated);
+  /// Compiles shaders/`vertex` and shaders/`fragment`. Errors (input): file and line of what the compiler
+  /// objects to; an active uniform or block that is not among the inputs.
+  Program(const std::string& vertex, const std::string& fragment, ProgramInputs inputs,
+          const GeneratedSources& generated);
 
-  /// Compiles again if a file changed since; on an error the last good program stays and the error is thrown once.
-  /// Returns whether the program is another one now.
+  /// Compiles again if a file changed since; on an error the last good program stays and the error is thrown
+  /// once. Returns whether the program is another one now.
   bool reload_if_changed(const GeneratedSources& generated);
 
   /// Of both expanded sources: part of every key of what the program draws.

@@ -61,7 +61,8 @@ class Expander {
       const size_t open_quote = trimmed.find('"');
       const size_t close_quote = trimmed.rfind('"');
       const std::string where = fmt::format("shaders/{}:{}", name, number);
-      if (open_quote == close_quote) throw input_error(where, "#include without a name", "write #include \"lib/file.glsl\"");
+      if (open_quote == close_quote)
+        throw input_error(where, "#include without a name", "write #include \"lib/file.glsl\"");
       expand(std::string(trimmed.substr(open_quote + 1, close_quote - open_quote - 1)), where);
       source_.text += fmt::format("#line {} {}\n", number + 1, index);
     }
@@ -87,7 +88,8 @@ std::string name_log_lines(const std::string& log, const std::vector<std::string
   std::string result;
   while (std::getline(lines, line)) {
     std::smatch match;
-    if (std::regex_search(line, match, kPlace) && match[1].length() < 6 && std::stoul(match[1]) < names.size()) {
+    if (std::regex_search(line, match, kPlace) && match[1].length() < 6 &&
+        std::stoul(match[1]) < names.size()) {
       const std::string number = match[2].matched ? match[2] : match[3];
       line = "shaders/" + names[std::stoul(match[1])] + ":" + number + ": " + match.suffix().str();
     }

@@ -1,4 +1,5 @@
-// Shader files with `#include "..."`, expanded to one text whose errors name the file and line that a person edits.
+// Shader files with `#include "..."`, expanded to one text whose errors name the file and line that a person
+// edits.
 #pragma once
 
 #include <filesystem>
@@ -20,8 +21,8 @@ struct ShaderSource {
   Key key;                                   ///< Of the text.
 };
 
-/// Reads shaders/`name` and what it includes, each file once. Errors (input): missing file, circular include, with the
-/// including file and line.
+/// Reads shaders/`name` and what it includes, each file once. Errors (input): missing file, circular include,
+/// with the including file and line.
 ShaderSource expand_shader(const std::string& name, const GeneratedSources& generated);
 
 /// A compiler's log with the index at the start of each line replaced by its file's name

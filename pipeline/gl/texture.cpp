@@ -36,8 +36,8 @@ FormatInfo info_of(TextureFormat format) {
   return {};
 }
 
-/// Storage that a finished pass gave back. A sweep makes the same textures thousands of times, and fresh pages cost
-/// the software renderer as much as a pass.
+/// Storage that a finished pass gave back. A sweep makes the same textures thousands of times, and fresh
+/// pages cost the software renderer as much as a pass.
 struct Idle {
   GLuint id;
   TextureFormat format;
@@ -127,11 +127,13 @@ Image Texture::read(int first, int channels) const {
   assert(first + channels <= info.channels);
   std::vector<float> raw(static_cast<size_t>(width_px_) * height_px_ * info.channels);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTextureImage(id_, 0, info.external, GL_FLOAT, static_cast<GLsizei>(raw.size() * sizeof(float)), raw.data());
+  glGetTextureImage(id_, 0, info.external, GL_FLOAT, static_cast<GLsizei>(raw.size() * sizeof(float)),
+                    raw.data());
   Image image(width_px_, height_px_, channels);
   for (int y = 0; y < height_px_; ++y) {
     const float* from = &raw[static_cast<size_t>(height_px_ - 1 - y) * width_px_ * info.channels];
-    for (int x = 0; x < width_px_; ++x) std::copy_n(from + x * info.channels + first, channels, &image.at(x, y));
+    for (int x = 0; x < width_px_; ++x)
+      std::copy_n(from + x * info.channels + first, channels, &image.at(x, y));
   }
   return image;
 }

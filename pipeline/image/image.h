@@ -31,7 +31,7 @@ struct ImageOf {
   bool operator==(const ImageOf&) const = default;
 };
 
-using Image = ImageOf<float>;       ///< Raw values, as a pass wrote them.
-using Picture = ImageOf<uint8_t>;   ///< Display values, 0 to 255, sRGB as shown.
+using Image = ImageOf<float>;      ///< Raw values, as a pass wrote them.
+using Picture = ImageOf<uint8_t>;  ///< Display values, 0 to 255, sRGB as shown.
 
 }  // namespace inkbench

@@ -25,10 +25,10 @@ using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-// Measured on three cartoon pictures of 1024 x 1024 x 3 (flat, smooth, normal-mapped), one core: level 5 without row
-// filters takes 9, 13, 23 ms and packs 102:1, 28:1, 14:1. Level 6 costs up to 33 % more time for 4 to 22 % fewer
-// bytes. Row filters hide the repeats that flat colour has: the default (level 6, all filters) takes 22, 72, 98 ms
-// and packs smooth shading worse, 20:1.
+// Measured on three cartoon pictures of 1024 x 1024 x 3 (flat, smooth, normal-mapped), one core: level 5
+// without row filters takes 9, 13, 23 ms and packs 102:1, 28:1, 14:1. Level 6 costs up to 33 % more time for
+// 4 to 22 % fewer bytes. Row filters hide the repeats that flat colour has: the default (level 6, all
+// filters) takes 22, 72, 98 ms and packs smooth shading worse, 20:1.
 constexpr int kPngLevel = 5;
 constexpr int kPngFilterNone = 8;  // libpng's PNG_FILTER_NONE
 
@@ -58,8 +58,8 @@ std::span<const uint8_t> as_bytes(std::string_view text) {
   return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
 }
 
-/// Takes a PNG as libpng writes it, sets our text chunks behind its head and hands all to a pending file. Errors are
-/// kept for `check`, since none may pass through libpng's C frames.
+/// Takes a PNG as libpng writes it, sets our text chunks behind its head and hands all to a pending file.
+/// Errors are kept for `check`, since none may pass through libpng's C frames.
 class PngFile final : public OIIO::Filesystem::IOProxy {
  public:
   PngFile(const fs::path& path, const ImageText& text) : IOProxy(path.string(), Write), file_(path) {
@@ -106,11 +106,13 @@ class PngFile final : public OIIO::Filesystem::IOProxy {
   std::exception_ptr failure_;
 };
 
-void open_output(ImageOutput* output, const fs::path& path, ImageSpec spec, OIIO::Filesystem::IOProxy* proxy) {
+void open_output(ImageOutput* output, const fs::path& path, ImageSpec spec,
+                 OIIO::Filesystem::IOProxy* proxy) {
   void* pointer = proxy;
   spec.attribute("oiio:ioproxy", TypeDesc::PTR, &pointer);
   if (output == nullptr || !output->open(path.string(), spec)) {
-    throw work_error(path.string(), "cannot be encoded", one_line(output ? output->geterror() : OIIO::geterror()));
+    throw work_error(path.string(), "cannot be encoded",
+                     one_line(output ? output->geterror() : OIIO::geterror()));
   }
 }
 
@@ -142,12 +144,13 @@ void check_size(const fs::path& path, const ImageSpec& spec) {
   const uint64_t samples = static_cast<uint64_t>(spec.width) * spec.height * spec.nchannels;
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || samples > kMaxSamples) {
     throw input_error(path.string(),
-                      "its header asks for " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-                          " x " + std::to_string(spec.nchannels) + " samples",
+                      "its header asks for " + std::to_string(spec.width) + " x " +
+                          std::to_string(spec.height) + " x " + std::to_string(spec.nchannels) + " samples",
                       "at most 2^30 are read");
   }
   if (spec.nchannels < 1 || spec.nchannels > 4) {
-    throw input_error(path.string(), "has " + std::to_string(spec.nchannels) + " channels", "1 to 4 are read");
+    throw input_error(path.string(), "has " + std::to_string(spec.nchannels) + " channels",
+                      "1 to 4 are read");
   }
 }
 
@@ -155,7 +158,8 @@ std::unique_ptr<OpenImage> open_image(const fs::path& path) {
   use_calling_thread_only();
   auto image = std::make_unique<OpenImage>(read_file(path));
   if (image->content.empty()) throw input_error(path.string(), "is empty", "an image is needed");
-  if (is_cut_off(image->content)) throw input_error(path.string(), "is cut off: the end of the image is missing");
+  if (is_cut_off(image->content))
+    throw input_error(path.string(), "is cut off: the end of the image is missing");
   ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   image->input = ImageInput::open(path.string(), &config, &image->reader);
@@ -197,7 +201,8 @@ Picture with_channels(Picture picture, int channels) {
   Picture result(picture.width_px, picture.height_px, channels);
   const size_t pixels = static_cast<size_t>(picture.width_px) * picture.height_px;
   for (size_t i = 0; i < pixels; ++i) {
-    convert_pixel(&picture.samples[i * picture.channels], picture.channels, &result.samples[i * channels], channels);
+    convert_pixel(&picture.samples[i * picture.channels], picture.channels, &result.samples[i * channels],
+                  channels);
   }
   return result;
 }
@@ -212,11 +217,13 @@ struct PngStripWriter::State {
   int rows_written = 0;
 };
 
-PngStripWriter::PngStripWriter(const fs::path& path, int width_px, int height_px, int channels, const ImageText& text) {
+PngStripWriter::PngStripWriter(const fs::path& path, int width_px, int height_px, int channels,
+                               const ImageText& text) {
   assert(width_px > 0 && height_px > 0 && (channels == 1 || channels == 3 || channels == 4));
   use_calling_thread_only();
   if (path.has_parent_path()) make_folder(path.parent_path());
-  state_.reset(new State{path, PngFile(path, text), ImageOutput::create("png"), width_px, height_px, channels});
+  state_.reset(
+      new State{path, PngFile(path, text), ImageOutput::create("png"), width_px, height_px, channels});
   ImageSpec spec(width_px, height_px, channels, TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -265,7 +272,8 @@ void write_exr(const fs::path& path, const Image& image, const ImageText& text) 
   spec.channelnames = {"R", "G", "B", "A"};
   if (image.channels == 1) spec.channelnames = {"Y"};
   spec.channelnames.resize(image.channels);
-  spec.attribute("DateTime", "");  // Else OpenImageIO puts the time of writing there, and no two files are alike.
+  spec.attribute("DateTime",
+                 "");  // Else OpenImageIO puts the time of writing there, and no two files are alike.
   for (const auto& [name, value] : text) spec.attribute(name, value);
   spec.attribute("compression", "zip");
   // In memory first: OpenEXR goes back to fill in its table of offsets.
@@ -297,7 +305,8 @@ std::string read_image_text(const fs::path& path, const std::string& name) {
   const std::unique_ptr<OpenImage> image = open_image(path);
   const auto renamed = kRenamed.find(name);
   const std::string other_name = renamed != kRenamed.end() ? renamed->second : name;
-  return std::string(image->spec().get_string_attribute(name, image->spec().get_string_attribute(other_name)));
+  return std::string(
+      image->spec().get_string_attribute(name, image->spec().get_string_attribute(other_name)));
 }
 
 }  // namespace inkbench

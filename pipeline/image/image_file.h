@@ -1,6 +1,6 @@
-// Images to and from files through OpenImageIO, which stays behind image_file.cpp. Every file is written whole or
-// not at all, and carries `text` entries (parameters, version) in its metadata. All functions may run on several
-// threads at once and use no threads of their own.
+// Images to and from files through OpenImageIO, which stays behind image_file.cpp. Every file is written
+// whole or not at all, and carries `text` entries (parameters, version) in its metadata. All functions may
+// run on several threads at once and use no threads of their own.
 #pragma once
 
 #include <filesystem>
@@ -12,22 +12,24 @@
 
 namespace inkbench {
 
-/// Metadata entries by name, written as PNG text chunks (UTF-8) or EXR string attributes. Names are 1 to 79 bytes of
-/// ASCII, best "inkbench:..." (an EXR file has names of its own); no entry holds a zero byte.
+/// Metadata entries by name, written as PNG text chunks (UTF-8) or EXR string attributes. Names are 1 to 79
+/// bytes of ASCII, best "inkbench:..." (an EXR file has names of its own); no entry holds a zero byte.
 using ImageText = std::map<std::string, std::string>;
 
-/// 8-bit PNG with 1, 3 or 4 channels (alpha not multiplied in). The same picture and text give the same bytes.
-/// Errors (work): as `write_file_atomically`.
+/// 8-bit PNG with 1, 3 or 4 channels (alpha not multiplied in). The same picture and text give the same
+/// bytes. Errors (work): as `write_file_atomically`.
 void write_png(const std::filesystem::path& path, const Picture& picture, const ImageText& text);
 
 /// 32-bit float EXR (ZIP compressed) with 1 (Y), 3 (R, G, B) or 4 channels (R, G, B, A); values are stored as
 /// they are, NaN and infinities included. Errors (work): as `write_file_atomically`.
 void write_exr(const std::filesystem::path& path, const Image& image, const ImageText& text);
 
-/// A PNG written a strip of rows at a time, for pictures too large to hold. Nothing stands under `path` until `finish`.
+/// A PNG written a strip of rows at a time, for pictures too large to hold. Nothing stands under `path` until
+/// `finish`.
 class PngStripWriter {
  public:
-  PngStripWriter(const std::filesystem::path& path, int width_px, int height_px, int channels, const ImageText& text);
+  PngStripWriter(const std::filesystem::path& path, int width_px, int height_px, int channels,
+                 const ImageText& text);
   PngStripWriter(const PngStripWriter&) = delete;
   PngStripWriter& operator=(const PngStripWriter&) = delete;
   ~PngStripWriter();  ///< Without `finish`, leaves no file.
@@ -42,13 +44,13 @@ class PngStripWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Reads any image file as 8-bit with `channels` channels (1, 3 or 4). Grey is spread, colour becomes its Rec. 709
-/// luma, alpha is dropped or set opaque; floats of 0 to 1 become 0 to 255 as they are.
-/// Errors (input): missing, empty, not an image, cut off in the middle, more than 2^30 samples, not 1 to 4 channels.
+/// Reads any image file as 8-bit with `channels` channels (1, 3 or 4). Grey is spread, colour becomes its
+/// Rec. 709 luma, alpha is dropped or set opaque; floats of 0 to 1 become 0 to 255 as they are. Errors
+/// (input): missing, empty, not an image, cut off in the middle, more than 2^30 samples, not 1 to 4 channels.
 Picture read_picture(const std::filesystem::path& path, int channels);
 
-/// Reads any image file as floats, with the file's own 1 to 4 channels; whole numbers become 0 to 1. Errors as
-/// `read_picture`.
+/// Reads any image file as floats, with the file's own 1 to 4 channels; whole numbers become 0 to 1. Errors
+/// as `read_picture`.
 Image read_image(const std::filesystem::path& path);
 
 /// The metadata entry `name`; "" where the image has none. Errors as `read_picture`.

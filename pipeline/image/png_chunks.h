@@ -1,5 +1,5 @@
-// The two things about PNG files that OpenImageIO leaves undone: text under any name and in any script, and telling
-// a whole file from one cut off. In and out: bytes.
+// The two things about PNG files that OpenImageIO leaves undone: text under any name and in any script, and
+// telling a whole file from one cut off. In and out: bytes.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace inkbench {
 /// The length of the signature and the IHDR chunk, which open every PNG; further chunks may follow from here.
 inline constexpr size_t kPngHeadBytes = 33;
 
-/// A text chunk. ASCII goes into tEXt, which every program reads; anything else into iTXt, since tEXt is Latin-1.
-/// `name` is 1 to 79 bytes of ASCII. Source: PNG specification (third edition), 11.3.3.
+/// A text chunk. ASCII goes into tEXt, which every program reads; anything else into iTXt, since tEXt is
+/// Latin-1. `name` is 1 to 79 bytes of ASCII. Source: PNG specification (third edition), 11.3.3.
 std::string png_text_chunk(std::string_view name, std::string_view text);
 
 /// Whether `content` opens with the PNG signature.

@@ -62,7 +62,8 @@ bool all_parts_outwards(const std::vector<glm::vec3>& positions, const std::vect
   std::vector<double> volume(positions.size(), 0.0);
   for (const Triangle& t : triangles) {
     const glm::dvec3 a = positions[t[0]];
-    volume[find_root(parent, t[0])] += glm::dot(a, glm::cross(glm::dvec3(positions[t[1]]), glm::dvec3(positions[t[2]])));
+    volume[find_root(parent, t[0])] +=
+        glm::dot(a, glm::cross(glm::dvec3(positions[t[1]]), glm::dvec3(positions[t[2]])));
   }
   return std::all_of(triangles.begin(), triangles.end(),
                      [&](const Triangle& t) { return volume[find_root(parent, t[0])] > 0.0; });

@@ -5,8 +5,8 @@
 
 namespace inkbench {
 
-/// True when, with equal positions taken as one point, every edge joins exactly two faces of the same orientation and
-/// every connected part has its faces outwards (positive signed volume).
+/// True when, with equal positions taken as one point, every edge joins exactly two faces of the same
+/// orientation and every connected part has its faces outwards (positive signed volume).
 bool is_closed_outwards(const Mesh& mesh);
 
 }  // namespace inkbench

@@ -110,8 +110,8 @@ uint64_t count_non_manifold_edges(const Mesh& mesh) {
   return crowded;
 }
 
-/// Takes the file's normals if it has any and each vertex has one of usable length; else says in one sentence why
-/// not. A file without normals is no defect and needs no word.
+/// Takes the file's normals if it has any and each vertex has one of usable length; else says in one sentence
+/// why not. A file without normals is no defect and needs no word.
 std::string take_normals(const PolygonSoup& soup, std::span<const uint32_t> kept, Mesh& mesh) {
   if (soup.normals.empty()) return "";
   if (soup.split_normals > 0) {

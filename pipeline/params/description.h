@@ -1,5 +1,5 @@
-// One description per parameter, beside the struct that holds it: name, unit, limits, slider, help. Sliders, study
-// keys, `--set`, TOML, validation, uniform blocks, cache keys and the docs table are visitors over it.
+// One description per parameter, beside the struct that holds it: name, unit, limits, slider, help. Sliders,
+// study keys, `--set`, TOML, validation, uniform blocks, cache keys and the docs table are visitors over it.
 #pragma once
 
 #include <array>
@@ -25,14 +25,15 @@ struct Limits {
 
 /// What a description line says of a field.
 struct FieldText {
-  std::string_view name;          ///< Last part of the key: "k_depth".
-  std::string_view help;          ///< One line.
-  std::string_view unit = "";     ///< "deg", "px", "world units"; empty for plain numbers.
-  Limits limits{};                ///< Hard limits, both allowed; each component of a vector.
-  Limits slider{};                ///< The useful range; the hard limits where left out.
-  Scale scale = Scale::linear;    ///< Of the slider, and of a sweep that does not say.
-  bool is_path = false;           ///< A file's path: relative ones are resolved against the file that sets them.
-  std::string_view matters_when = "";  ///< "shape = torus": the setting of the same group without which it has no effect.
+  std::string_view name;        ///< Last part of the key: "k_depth".
+  std::string_view help;        ///< One line.
+  std::string_view unit = "";   ///< "deg", "px", "world units"; empty for plain numbers.
+  Limits limits{};              ///< Hard limits, both allowed; each component of a vector.
+  Limits slider{};              ///< The useful range; the hard limits where left out.
+  Scale scale = Scale::linear;  ///< Of the slider, and of a sweep that does not say.
+  bool is_path = false;  ///< A file's path: relative ones are resolved against the file that sets them.
+  std::string_view matters_when =
+      "";  ///< "shape = torus": the setting of the same group without which it has no effect.
 };
 
 /// A field with its type and its place in the struct, reached through `get` and `set`.
@@ -50,7 +51,8 @@ struct Description {
   std::vector<Field> fields;
 };
 
-/// Specialise for an enum that a parameter holds: `static constexpr std::array names{...}` in the enum's order.
+/// Specialise for an enum that a parameter holds: `static constexpr std::array names{...}` in the enum's
+/// order.
 template <class Enum>
 struct ChoiceNames;
 

@@ -48,7 +48,8 @@ class Packer {
 };
 
 int choice_index(const Field& field, const std::string& name) {
-  return static_cast<int>(std::find(field.choices.begin(), field.choices.end(), name) - field.choices.begin());
+  return static_cast<int>(std::find(field.choices.begin(), field.choices.end(), name) -
+                          field.choices.begin());
 }
 
 }  // namespace
@@ -67,8 +68,7 @@ std::string glsl_struct(const Description& description, const std::string& name)
 }
 
 std::string glsl_uniform_block(const Description& description, const std::string& name) {
-  return fmt::format("layout(std140) uniform {}_block {{\n{}}} {};\n", name,
-                     glsl_members(description), name);
+  return fmt::format("layout(std140) uniform {}_block {{\n{}}} {};\n", name, glsl_members(description), name);
 }
 
 std::string glsl_choices(const Description& description, const std::string& prefix) {

@@ -7,7 +7,8 @@
 
 namespace inkbench {
 
-/// One described struct inside some settings: `prefix` is its key so far ("combine", "model.rabbit.material").
+/// One described struct inside some settings: `prefix` is its key so far ("combine",
+/// "model.rabbit.material").
 struct ParamGroup {
   std::string prefix;
   const Description* description = nullptr;

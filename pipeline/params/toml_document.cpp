@@ -32,8 +32,8 @@ size_t string_end(std::string_view text, size_t begin) {
   return text.size() - 1;
 }
 
-/// toml++ limits how deep values nest but not how many parts a dotted key has, and recurses into each: a long one would
-/// overflow the stack. Errors (input): a key of more parts than any parameter has.
+/// toml++ limits how deep values nest but not how many parts a dotted key has, and recurses into each: a long
+/// one would overflow the stack. Errors (input): a key of more parts than any parameter has.
 void check_key_lengths(std::string_view text, const std::string& name) {
   int parts = 1;
   int line = 1;
@@ -44,7 +44,9 @@ void check_key_lengths(std::string_view text, const std::string& name) {
     line += static_cast<int>(std::count(text.begin() + begin, text.begin() + i + 1, '\n'));
     if (text[i] == '.') ++parts;
     if (std::string_view("=,[]{}\n").find(text[i]) != std::string_view::npos) parts = 1;
-    if (parts > kMaxKeyParts) throw input_error(place(name, line), "a key of too many parts", "at most " + std::to_string(kMaxKeyParts));
+    if (parts > kMaxKeyParts)
+      throw input_error(place(name, line), "a key of too many parts",
+                        "at most " + std::to_string(kMaxKeyParts));
   }
 }
 
@@ -52,7 +54,8 @@ TomlNode convert(const toml::node& source, const std::string& name);
 
 TomlNode convert_table(const toml::table& table, const std::string& name) {
   TomlNode node;
-  for (const auto& [key, value] : table) node.entries.emplace_back(std::string(key.str()), convert(value, name));
+  for (const auto& [key, value] : table)
+    node.entries.emplace_back(std::string(key.str()), convert(value, name));
   std::stable_sort(node.entries.begin(), node.entries.end(),
                    [](const auto& a, const auto& b) { return a.second.line < b.second.line; });
   return node;
@@ -78,7 +81,8 @@ TomlNode convert(const toml::node& source, const std::string& name) {
     node.kind = TomlNode::Kind::text;
     node.text = text->get();
   } else if (!source.is_table()) {
-    throw input_error(place(name, node.line), "a date or time", "a number, text, true or false is needed here");
+    throw input_error(place(name, node.line), "a date or time",
+                      "a number, text, true or false is needed here");
   }
   return node;
 }

@@ -17,7 +17,7 @@ struct TomlNode {
   int64_t integer = 0;
   double real = 0.0;
   std::string text;
-  std::vector<TomlNode> items;                             ///< Of an array.
+  std::vector<TomlNode> items;                            ///< Of an array.
   std::vector<std::pair<std::string, TomlNode>> entries;  ///< Of a table, in the document's order of lines.
   int line = 0;
 
@@ -30,8 +30,8 @@ struct TomlNode {
   std::string kind_name() const;
 };
 
-/// Parses a whole document. Errors (input): `name:line` and what the grammar objects to; a key given twice; a date
-/// or time, which no setting takes.
+/// Parses a whole document. Errors (input): `name:line` and what the grammar objects to; a key given twice; a
+/// date or time, which no setting takes.
 TomlNode parse_toml(std::string_view text, const std::string& name);
 
 }  // namespace inkbench

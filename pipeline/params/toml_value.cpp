@@ -21,7 +21,8 @@ std::optional<float> as_real(const TomlNode& node) {
 }
 
 std::optional<int> as_integer(const TomlNode& node) {
-  const bool whole = node.kind == Kind::real && node.real == std::floor(node.real) && std::abs(node.real) < 2e9;
+  const bool whole =
+      node.kind == Kind::real && node.real == std::floor(node.real) && std::abs(node.real) < 2e9;
   if (whole) return static_cast<int>(node.real);
   if (node.kind != Kind::integer || node.integer < INT32_MIN || node.integer > INT32_MAX) return std::nullopt;
   return static_cast<int>(node.integer);
@@ -91,8 +92,11 @@ std::optional<Ramp> as_ramp(const TomlNode& node, const std::string& folder) {
   return ramp;
 }
 
-std::optional<Value> convert(const Field& field, int component, const TomlNode& node, const std::string& folder) {
-  const auto wrap = [](const auto& optional) { return optional ? std::optional<Value>(*optional) : std::nullopt; };
+std::optional<Value> convert(const Field& field, int component, const TomlNode& node,
+                             const std::string& folder) {
+  const auto wrap = [](const auto& optional) {
+    return optional ? std::optional<Value>(*optional) : std::nullopt;
+  };
   if (component >= 0) return wrap(as_real(node));
   switch (field.type) {
     case FieldType::boolean:
@@ -134,20 +138,23 @@ void check_number(const Field& field, const std::string& key, double number, con
                     "it must be " + accepted(field, 0));
 }
 
-void check_choice(const Field& field, const std::string& key, const std::string& name, const std::string& where) {
+void check_choice(const Field& field, const std::string& key, const std::string& name,
+                  const std::string& where) {
   std::vector<std::string> names(field.choices.begin(), field.choices.end());
   for (const std::string& choice : names) {
     if (choice == name) return;
   }
-  throw input_error(where, key + " = \"" + name + "\" is not one of its choices", "one of: " + join(names, ", "));
+  throw input_error(where, key + " = \"" + name + "\" is not one of its choices",
+                    "one of: " + join(names, ", "));
 }
 
 void check_ramp(const std::string& key, const Ramp& ramp, const std::string& where) {
   float last = 0.0F;
   for (const RampStop& stop : ramp.stops) {
     if (!(stop.position >= last && stop.position <= 1.0F)) {
-      throw input_error(where, fmt::format("{} has a stop at {} after {}", key, shortest(stop.position), shortest(last)),
-                        "positions rise from 0 to 1");
+      throw input_error(
+          where, fmt::format("{} has a stop at {} after {}", key, shortest(stop.position), shortest(last)),
+          "positions rise from 0 to 1");
     }
     last = stop.position;
     for (int i = 0; i < 3; ++i) {
@@ -187,9 +194,11 @@ std::string accepted(const Field& field, int component) {
   return "";
 }
 
-Value value_from_toml(const Param& param, const TomlNode& node, const std::string& where, const std::string& folder) {
+Value value_from_toml(const Param& param, const TomlNode& node, const std::string& where,
+                      const std::string& folder) {
   if (const std::optional<Value> value = convert(*param.field, param.component, node, folder)) return *value;
-  throw input_error(where, param.key + " is " + node.kind_name(), "it must be " + accepted(*param.field, param.component));
+  throw input_error(where, param.key + " is " + node.kind_name(),
+                    "it must be " + accepted(*param.field, param.component));
 }
 
 Value value_from_text(const Param& param, const std::string& text, const std::string& where) {
@@ -197,7 +206,8 @@ Value value_from_text(const Param& param, const std::string& text, const std::st
   const FieldType type = param.field->type;
   const TomlNode bare = bare_text(param, trimmed, where);
   if (type == FieldType::choice && !trimmed.starts_with('"')) return value_from_toml(param, bare, where, ".");
-  const bool is_list = trimmed.find(',') != std::string::npos && !trimmed.starts_with('[') && !trimmed.starts_with('"');
+  const bool is_list =
+      trimmed.find(',') != std::string::npos && !trimmed.starts_with('[') && !trimmed.starts_with('"');
   const bool is_vector = type == FieldType::vector || type == FieldType::colour;
   TomlNode parsed;
   try {

@@ -1,5 +1,5 @@
-// The values a parameter can hold, and their one text form (TOML syntax, shortest round-trip numbers), which is what
-// files, `--set`, study keys, image metadata and cache keys all use.
+// The values a parameter can hold, and their one text form (TOML syntax, shortest round-trip numbers), which
+// is what files, `--set`, study keys, image metadata and cache keys all use.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,8 +9,8 @@
 
 namespace inkbench {
 
-/// One stop of a ramp: at `position` (0 to 1) the ramp has `colour`; it holds it to the next stop (stepped) or
-/// blends linearly into the next one (smooth).
+/// One stop of a ramp: at `position` (0 to 1) the ramp has `colour`; it holds it to the next stop (stepped)
+/// or blends linearly into the next one (smooth).
 struct RampStop {
   float position = 0.0F;
   glm::vec3 colour{0.0F};

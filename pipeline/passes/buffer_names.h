@@ -21,14 +21,16 @@ enum class BufferName {
   object_id,       ///< 1, 2, ... in the scene's order of models, 0 where there is none.
 };
 
-constexpr std::array<std::string_view, 9> kBufferNames{"normal", "depth", "normal_edges", "depth_edges", "combined_edges",
-                                                       "shaded", "final", "blinn_phong",  "object_id"};
+constexpr std::array<std::string_view, 9> kBufferNames{"normal",      "depth",          "normal_edges",
+                                                       "depth_edges", "combined_edges", "shaded",
+                                                       "final",       "blinn_phong",    "object_id"};
 
 inline std::string_view name_of(BufferName buffer) {
   return kBufferNames[static_cast<size_t>(buffer)];
 }
 
-/// "a,b" or "all" as buffers, each once, in the order given. Errors (input): an unknown name, with the nearest one.
+/// "a,b" or "all" as buffers, each once, in the order given. Errors (input): an unknown name, with the
+/// nearest one.
 std::vector<BufferName> parse_buffers(const std::vector<std::string>& names, const std::string& where);
 
 }  // namespace inkbench

@@ -17,11 +17,12 @@ const Description& DisplayParams::description() {
                                                    .limits = {1e-3, 1e6},
                                                    .slider = {1, 1000},
                                                    .scale = Scale::log}),
-          field<&DisplayParams::normal_edges_gain>({.name = "normal_edges_gain",
-                                                    .help = "The normal edges' picture is multiplied by this.",
-                                                    .limits = {1e-3, 1e6},
-                                                    .slider = {1, 1000},
-                                                    .scale = Scale::log}),
+          field<&DisplayParams::normal_edges_gain>(
+              {.name = "normal_edges_gain",
+               .help = "The normal edges' picture is multiplied by this.",
+               .limits = {1e-3, 1e6},
+               .slider = {1, 1000},
+               .scale = Scale::log}),
       }};
   return kDescription;
 }

@@ -1,4 +1,5 @@
-// How buffers are shown as pictures: gains that make small values visible. They change no buffer, only its picture.
+// How buffers are shown as pictures: gains that make small values visible. They change no buffer, only its
+// picture.
 #pragma once
 
 #include "pipeline/params/description.h"

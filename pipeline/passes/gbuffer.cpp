@@ -28,15 +28,16 @@ float near_corner_distance(const CameraParams& camera, float aspect) {
   return camera.near * glm::length(glm::vec3(half_height * aspect, half_height, 1.0F));
 }
 
-/// Whether the back faces are hidden for certain: the mesh is closed, and eye and near plane are outside its box. Then
-/// leaving them out changes no pixel and saves a third of the pass.
+/// Whether the back faces are hidden for certain: the mesh is closed, and eye and near plane are outside its
+/// box. Then leaving them out changes no pixel and saves a third of the pass.
 bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float aspect) {
   if (!item.mesh->closed_outwards()) return false;
   const Bounds& bounds = item.mesh->bounds();
   glm::vec3 low(std::numeric_limits<float>::max());
   glm::vec3 high(std::numeric_limits<float>::lowest());
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 model((corner & 1) != 0 ? bounds.high.x : bounds.low.x, (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
+    const glm::vec3 model((corner & 1) != 0 ? bounds.high.x : bounds.low.x,
+                          (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
                           (corner & 4) != 0 ? bounds.high.z : bounds.low.z);
     const glm::vec3 world(item.model_to_world * glm::vec4(model, 1.0F));
     low = glm::min(low, world);
@@ -51,7 +52,8 @@ bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float a
 GBufferPass::GBufferPass(const GeneratedSources& generated)
     : program_("gbuffer.vert", "gbuffer.frag", {.uniform_blocks = {"draw_block"}}, generated) {}
 
-GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> items, int width_px, int height_px) const {
+GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> items, int width_px,
+                         int height_px) const {
   GBuffer result{Texture("normal and depth", TextureFormat::rgba32f, width_px, height_px),
                  Texture("object id", TextureFormat::r32f, width_px, height_px)};
   const Texture hidden_surfaces("hidden surfaces", TextureFormat::depth32f, width_px, height_px);
@@ -69,8 +71,11 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
   const glm::mat4 world_to_clip = projection_matrix(camera, aspect) * view_matrix(camera);
   for (const DrawItem& item : items) {
     const glm::mat4 normal_to_world(glm::transpose(glm::inverse(glm::mat3(item.model_to_world))));
-    const DrawBlock block{world_to_clip * item.model_to_world, normal_to_world, static_cast<float>(item.object_id),
-                          camera.far, {}};
+    const DrawBlock block{world_to_clip * item.model_to_world,
+                          normal_to_world,
+                          static_cast<float>(item.object_id),
+                          camera.far,
+                          {}};
     const Buffer uniforms("draw block", bytes_of(std::span(&block, 1)));
     bind_uniform_blocks({&uniforms});
     (back_faces_hidden(item, camera, aspect) ? glEnable : glDisable)(GL_CULL_FACE);

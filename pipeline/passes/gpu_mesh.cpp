@@ -55,7 +55,10 @@ Key MeshStore::identity(const ModelParams& model) {
   if (model.shape == Shape::mesh) {
     return builder.add(content_key(model.mesh == "rabbit" ? find_rabbit().string() : model.mesh)).key();
   }
-  return builder.add(std::to_string(model.segments)).add(shortest(model.fillet)).add(shortest(model.tube)).key();
+  return builder.add(std::to_string(model.segments))
+      .add(shortest(model.fillet))
+      .add(shortest(model.tube))
+      .key();
 }
 
 const GpuMesh& MeshStore::get(const ModelParams& model) {
@@ -68,7 +71,9 @@ const GpuMesh& MeshStore::get(const ModelParams& model) {
 }
 
 void MeshStore::keep_only(std::span<const Key> keys) {
-  std::erase_if(meshes_, [&](const auto& entry) { return std::find(keys.begin(), keys.end(), entry.first) == keys.end(); });
+  std::erase_if(meshes_, [&](const auto& entry) {
+    return std::find(keys.begin(), keys.end(), entry.first) == keys.end();
+  });
 }
 
 }  // namespace inkbench

@@ -29,7 +29,8 @@ class GpuMesh {
 
 class MeshStore {
  public:
-  /// Decides what `get` gives: the shape's parameters, or the file's content. Errors (input): the file cannot be read.
+  /// Decides what `get` gives: the shape's parameters, or the file's content. Errors (input): the file cannot
+  /// be read.
   Key identity(const ModelParams& model);
   /// Loads and uploads the first time. Errors (input): as `load_mesh_file`; its notes go to the log.
   const GpuMesh& get(const ModelParams& model);

@@ -9,7 +9,8 @@ namespace inkbench {
 class GradientPass {
  public:
   explicit GradientPass(const GeneratedSources& generated);
-  /// In: the normal map, and the depth map in alpha. Out: two channels: g of the depth map, mean of g over the normal map's x, y and z. rg32f, or rg8 for eight bits.
+  /// In: the normal map, and the depth map in alpha. Out: two channels: g of the depth map, mean of g over
+  /// the normal map's x, y and z. rg32f, or rg8 for eight bits.
   Texture run(const Texture& normal_and_depth, Precision precision) const;
   Program& program() { return program_; }
 

@@ -7,13 +7,19 @@ const Description& ImageParams::description() {
       "image",
       "Image size and buffer precision",
       {
-          field<&ImageParams::width>(
-              {.name = "width", .help = "Width of every buffer.", .unit = "px", .limits = {1, 32768}, .slider = {64, 2048}}),
-          field<&ImageParams::height>(
-              {.name = "height", .help = "Height of every buffer.", .unit = "px", .limits = {1, 32768}, .slider = {64, 2048}}),
-          field<&ImageParams::precision>(
-              {.name = "precision",
-               .help = "Precision of the normal, depth, edge and combined buffers; unorm8 shows what eight bits do."}),
+          field<&ImageParams::width>({.name = "width",
+                                      .help = "Width of every buffer.",
+                                      .unit = "px",
+                                      .limits = {1, 32768},
+                                      .slider = {64, 2048}}),
+          field<&ImageParams::height>({.name = "height",
+                                       .help = "Height of every buffer.",
+                                       .unit = "px",
+                                       .limits = {1, 32768},
+                                       .slider = {64, 2048}}),
+          field<&ImageParams::precision>({.name = "precision",
+                                          .help = "Precision of the normal, depth, edge and combined "
+                                                  "buffers; unorm8 shows what eight bits do."}),
       }};
   return kDescription;
 }

@@ -7,7 +7,8 @@ const Description& InkParams::description() {
       "ink",
       "Ink over the shading (3.5)",
       {
-          colour_field<&InkParams::colour>({.name = "colour", .help = "Colour of the lines; the paper's is black."}),
+          colour_field<&InkParams::colour>(
+              {.name = "colour", .help = "Colour of the lines; the paper's is black."}),
       }};
   return kDescription;
 }

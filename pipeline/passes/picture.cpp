@@ -15,8 +15,8 @@ struct PictureBlock {
 }  // namespace
 
 PicturePass::PicturePass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "picture.frag", {.samplers = {"buffer_map"}, .uniform_blocks = {"picture_block"}},
-               generated) {}
+    : program_("full_screen.vert", "picture.frag",
+               {.samplers = {"buffer_map"}, .uniform_blocks = {"picture_block"}}, generated) {}
 
 Texture PicturePass::run(const PictureView& view, const Texture& buffer) const {
   Texture picture("picture", TextureFormat::rgba8, buffer.width_px(), buffer.height_px());

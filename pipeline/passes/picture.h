@@ -10,7 +10,7 @@ struct PictureView {
   float gain = 1.0F;
   int channel = kColour;  ///< 0 to 3 shows that channel as grey.
 
-  static constexpr int kColour = -1;     ///< The first three channels as colour.
+  static constexpr int kColour = -1;    ///< The first three channels as colour.
   static constexpr int kObjectId = -2;  ///< Red as an object's id, each in a colour of its own.
 };
 

@@ -50,7 +50,8 @@ ViewBlock make_view_block(const ShadeParams& params, float aspect) {
 template <class Item>
 Buffer make_list(const std::string& label, const std::vector<Item>& items, int capacity) {
   if (std::ssize(items) > capacity) {
-    throw input_error("scene", fmt::format("has {} {}", items.size(), label), fmt::format("at most {}", capacity));
+    throw input_error("scene", fmt::format("has {} {}", items.size(), label),
+                      fmt::format("at most {}", capacity));
   }
   const Item spare;
   const size_t stride = pack_std140(Item::description(), &spare).size();
@@ -69,7 +70,8 @@ Texture make_ramp_texture(const RampParams& ramp) {
       for (int c = 0; c < 3; ++c) table.at(x, row, c) = colours[x][c];
     }
   };
-  // Images have row 0 on top and textures at the bottom, so the diffuse ramp, texture row 0, is the lower one.
+  // Images have row 0 on top and textures at the bottom, so the diffuse ramp, texture row 0, is the lower
+  // one.
   if (ramp.enabled) fill(1, ramp_table(ramp.diffuse));
   if (ramp.enabled) fill(0, ramp_table(ramp.specular));
   Texture texture("ramps", TextureFormat::rgba32f, kRampTexels, 2);
@@ -89,7 +91,8 @@ Texture ShadePass::run(const ShadeParams& params, const GBuffer& gbuffer) const 
   const int width_px = gbuffer.object_id.width_px();
   const int height_px = gbuffer.object_id.height_px();
   Texture shaded("shaded", TextureFormat::rgba32f, width_px, height_px);
-  const ViewBlock block = make_view_block(params, static_cast<float>(width_px) / static_cast<float>(height_px));
+  const ViewBlock block =
+      make_view_block(params, static_cast<float>(width_px) / static_cast<float>(height_px));
   const Buffer view("view block", bytes_of(std::span(&block, 1)));
   const Buffer lights = make_list("lights", params.lights, kMaxLights);
   const Buffer materials = make_list("materials", params.materials, kMaxModels);

@@ -11,8 +11,8 @@
 
 namespace inkbench {
 
-/// Lights and materials lie in uniform blocks of fixed size: the software renderer reads those several times faster
-/// than storage buffers, and every driver has room for these.
+/// Lights and materials lie in uniform blocks of fixed size: the software renderer reads those several times
+/// faster than storage buffers, and every driver has room for these.
 constexpr int kMaxLights = 64;
 constexpr int kMaxModels = 256;
 
@@ -28,8 +28,8 @@ struct ShadeParams {
 class ShadePass {
  public:
   explicit ShadePass(const GeneratedSources& generated);
-  /// Out: rgba32f, the background's colour where no model is. Errors (input): a ramp's image cannot be read; more
-  /// than `kMaxLights` lights or `kMaxModels` materials.
+  /// Out: rgba32f, the background's colour where no model is. Errors (input): a ramp's image cannot be read;
+  /// more than `kMaxLights` lights or `kMaxModels` materials.
   Texture run(const ShadeParams& params, const GBuffer& gbuffer) const;
   Program& program() { return program_; }
 

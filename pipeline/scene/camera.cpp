@@ -23,9 +23,8 @@ const Description& CameraParams::description() {
                                         .unit = "world units",
                                         .limits = {-1e4, 1e4},
                                         .slider = {-10, 10}}),
-          field<&CameraParams::up>({.name = "up",
-                                    .help = "The direction that is up in the image.",
-                                    .limits = {-1, 1}}),
+          field<&CameraParams::up>(
+              {.name = "up", .help = "The direction that is up in the image.", .limits = {-1, 1}}),
           field<&CameraParams::fov>({.name = "fov",
                                      .help = "Vertical field of view.",
                                      .unit = "deg",
@@ -58,7 +57,8 @@ glm::mat4 projection_matrix(const CameraParams& camera, float aspect) {
 void check_camera(const CameraParams& camera) {
   const glm::vec3 forward = camera.target - camera.eye;
   if (!(glm::length(forward) > 1e-6F)) {
-    throw input_error("camera.eye", "is the same point as camera.target, so there is no direction to look along",
+    throw input_error("camera.eye",
+                      "is the same point as camera.target, so there is no direction to look along",
                       "move one of them");
   }
   if (!(glm::length(glm::cross(glm::normalize(forward), camera.up)) > 1e-4F)) {
@@ -66,8 +66,8 @@ void check_camera(const CameraParams& camera) {
                       "choose another up direction, such as [0, 1, 0]");
   }
   if (!(camera.near < camera.far)) {
-    throw input_error("camera.near", "= " + to_text(Value(camera.near)) + " is not below camera.far = " +
-                                         to_text(Value(camera.far)));
+    throw input_error("camera.near", "= " + to_text(Value(camera.near)) +
+                                         " is not below camera.far = " + to_text(Value(camera.far)));
   }
 }
 

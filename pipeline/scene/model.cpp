@@ -15,23 +15,21 @@ const Description& MaterialParams::description() {
       {
           colour_field<&MaterialParams::colour>(
               {.name = "colour", .help = "Colour; multiplies the ambient and diffuse coefficients."}),
-          field<&MaterialParams::ambient>({.name = "ambient",
-                                           .help = "Ambient coefficient.",
-                                           .limits = {0, 10},
-                                           .slider = {0, 1}}),
-          field<&MaterialParams::diffuse>({.name = "diffuse",
-                                           .help = "Diffuse coefficient.",
-                                           .limits = {0, 10},
-                                           .slider = {0, 1}}),
-          field<&MaterialParams::specular>({.name = "specular",
-                                            .help = "Specular coefficient; the highlight has the light's colour.",
-                                            .limits = {0, 10},
-                                            .slider = {0, 1}}),
-          field<&MaterialParams::exponent>({.name = "exponent",
-                                            .help = "Specular exponent: larger is a smaller, sharper highlight.",
-                                            .limits = {0.1, 10000},
-                                            .slider = {1, 500},
-                                            .scale = Scale::log}),
+          field<&MaterialParams::ambient>(
+              {.name = "ambient", .help = "Ambient coefficient.", .limits = {0, 10}, .slider = {0, 1}}),
+          field<&MaterialParams::diffuse>(
+              {.name = "diffuse", .help = "Diffuse coefficient.", .limits = {0, 10}, .slider = {0, 1}}),
+          field<&MaterialParams::specular>(
+              {.name = "specular",
+               .help = "Specular coefficient; the highlight has the light's colour.",
+               .limits = {0, 10},
+               .slider = {0, 1}}),
+          field<&MaterialParams::exponent>(
+              {.name = "exponent",
+               .help = "Specular exponent: larger is a smaller, sharper highlight.",
+               .limits = {0.1, 10000},
+               .slider = {1, 500},
+               .scale = Scale::log}),
       }};
   return kDescription;
 }
@@ -43,10 +41,11 @@ const Description& ModelParams::description() {
       {
           field<&ModelParams::visible>({.name = "visible", .help = "Draw this model."}),
           field<&ModelParams::shape>({.name = "shape", .help = "A mesh from a file, or a built-in shape."}),
-          field<&ModelParams::mesh>({.name = "mesh",
-                                     .help = "Mesh file (OBJ, PLY, OFF, STL), or \"rabbit\" for Debian's bunny.obj.",
-                                     .is_path = true,
-                                     .matters_when = "shape = mesh"}),
+          field<&ModelParams::mesh>(
+              {.name = "mesh",
+               .help = "Mesh file (OBJ, PLY, OFF, STL), or \"rabbit\" for Debian's bunny.obj.",
+               .is_path = true,
+               .matters_when = "shape = mesh"}),
           field<&ModelParams::segments>({.name = "segments",
                                          .help = "Tessellation of a built-in shape.",
                                          .limits = {1, 1024},
@@ -61,14 +60,16 @@ const Description& ModelParams::description() {
                                      .help = "Tube radius of a torus of ring radius 1.",
                                      .limits = {0.01, 0.99},
                                      .matters_when = "shape = torus"}),
-          field<&ModelParams::size>({.name = "size",
-                                     .help = "Longest side of the bounding box; 0 keeps the mesh's own units.",
-                                     .unit = "world units",
-                                     .limits = {0, 1e4},
-                                     .slider = {0, 10}}),
-          field<&ModelParams::anchor>({.name = "anchor",
-                                       .help = "The point of the mesh that stands on position: its origin, or the "
-                                               "middle of its base."}),
+          field<&ModelParams::size>(
+              {.name = "size",
+               .help = "Longest side of the bounding box; 0 keeps the mesh's own units.",
+               .unit = "world units",
+               .limits = {0, 1e4},
+               .slider = {0, 10}}),
+          field<&ModelParams::anchor>(
+              {.name = "anchor",
+               .help = "The point of the mesh that stands on position: its origin, or the "
+                       "middle of its base."}),
           field<&ModelParams::position>({.name = "position",
                                          .help = "Where the anchor stands.",
                                          .unit = "world units",
@@ -113,7 +114,8 @@ glm::mat4 model_matrix(const ModelParams& model, const Bounds& bounds) {
   const float longest = std::max({extent.x, extent.y, extent.z, 1e-20F});
   const float fit = model.size > 0.0F ? model.size / longest : 1.0F;
   glm::vec3 anchor(0.0F);
-  if (model.anchor == Anchor::base) anchor = {(bounds.low.x + bounds.high.x) / 2, bounds.low.y, (bounds.low.z + bounds.high.z) / 2};
+  if (model.anchor == Anchor::base)
+    anchor = {(bounds.low.x + bounds.high.x) / 2, bounds.low.y, (bounds.low.z + bounds.high.z) / 2};
   glm::mat4 matrix = glm::translate(glm::mat4(1.0F), model.position);
   matrix = glm::rotate(matrix, glm::radians(model.rotation.z), glm::vec3(0, 0, 1));
   matrix = glm::rotate(matrix, glm::radians(model.rotation.y), glm::vec3(0, 1, 0));

@@ -15,8 +15,8 @@ namespace inkbench {
 enum class Shape { mesh, box, rounded_box, sphere, inside_out_sphere, torus, plane };
 template <>
 struct ChoiceNames<Shape> {
-  static constexpr std::array<std::string_view, 7> names{"mesh",   "box",   "rounded_box", "sphere", "inside_out_sphere",
-                                                         "torus", "plane"};
+  static constexpr std::array<std::string_view, 7> names{
+      "mesh", "box", "rounded_box", "sphere", "inside_out_sphere", "torus", "plane"};
 };
 
 /// The point of the mesh that stands on `position`.
@@ -55,12 +55,12 @@ struct ModelParams {
   static const Description& description();
 };
 
-/// The mesh that the model draws: loaded from `mesh` (a path, or "rabbit") or made from the shape's parameters.
-/// Errors (input): as `load_mesh_file`.
+/// The mesh that the model draws: loaded from `mesh` (a path, or "rabbit") or made from the shape's
+/// parameters. Errors (input): as `load_mesh_file`.
 Mesh make_model_mesh(const ModelParams& model);
 
-/// Model space to world space: scaled so that the longest side of `bounds` is `size` (0 keeps the mesh's units),
-/// the anchor moved to the origin, then `scale`, `rotation` (about x, then y, then z) and `position`.
+/// Model space to world space: scaled so that the longest side of `bounds` is `size` (0 keeps the mesh's
+/// units), the anchor moved to the origin, then `scale`, `rotation` (about x, then y, then z) and `position`.
 glm::mat4 model_matrix(const ModelParams& model, const Bounds& bounds);
 
 }  // namespace inkbench

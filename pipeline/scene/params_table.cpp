@@ -51,8 +51,8 @@ std::string text_table(Settings& settings) {
       const std::string key = group.prefix + "." + std::string(field.name);
       const std::string unit = field.unit.empty() ? "" : " " + std::string(field.unit);
       const std::string allowed_text = allowed(field).empty() ? "" : " (" + allowed(field) + ")";
-      text += fmt::format("  {} = {}{}{}\n      {}\n", key, to_text(field.get(group.owner)), unit, allowed_text,
-                          help_with_condition(field));
+      text += fmt::format("  {} = {}{}{}\n      {}\n", key, to_text(field.get(group.owner)), unit,
+                          allowed_text, help_with_condition(field));
     }
   }
   return text;
@@ -61,11 +61,13 @@ std::string text_table(Settings& settings) {
 std::string markdown_table(Settings& settings) {
   std::string text;
   for (const ParamGroup& group : list_groups(settings)) {
-    text += fmt::format("{}### {}\n\n| key | type | default | allowed | unit | what it does |\n|---|---|---|---|---|---|\n",
-                        text.empty() ? "" : "\n", group.description->title);
+    text += fmt::format(
+        "{}### {}\n\n| key | type | default | allowed | unit | what it does |\n|---|---|---|---|---|---|\n",
+        text.empty() ? "" : "\n", group.description->title);
     for (const Field& field : group.description->fields) {
-      text += fmt::format("| `{}.{}` | {} | `{}` | {} | {} | {} |\n", group.prefix, field.name, type_name(field.type),
-                          to_text(field.get(group.owner)), allowed(field), field.unit, help_with_condition(field));
+      text += fmt::format("| `{}.{}` | {} | `{}` | {} | {} | {} |\n", group.prefix, field.name,
+                          type_name(field.type), to_text(field.get(group.owner)), allowed(field), field.unit,
+                          help_with_condition(field));
     }
   }
   return text;
@@ -82,7 +84,8 @@ std::string json_table(Settings& settings) {
       if (has_limits(field)) entry["limits"] = {field.limits.low, field.limits.high};
       if (has_limits(field)) entry["slider"] = {field.slider.low, field.slider.high};
       if (has_limits(field)) entry["scale"] = scale_name(field.scale);
-      if (!field.choices.empty()) entry["choices"] = std::vector<std::string>(field.choices.begin(), field.choices.end());
+      if (!field.choices.empty())
+        entry["choices"] = std::vector<std::string>(field.choices.begin(), field.choices.end());
       entry["unit"] = field.unit;
       entry["matters_when"] = field.matters_when;
       entry["help"] = field.help;

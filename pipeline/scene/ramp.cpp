@@ -29,12 +29,13 @@ const Description& RampParams::description() {
               {.name = "enabled", .help = "Look brightness up in the ramps; off is plain Blinn-Phong."}),
           field<&RampParams::diffuse>({.name = "diffuse",
                                        .help = "Ramp over N.L: a list of stops, or an image file.",
-                                        .is_path = true,
+                                       .is_path = true,
                                        .matters_when = "enabled = true"}),
-          field<&RampParams::specular>({.name = "specular",
-                                        .help = "Ramp over (N.H)^exponent: a list of stops, or an image file.",
-                                        .is_path = true,
-                                        .matters_when = "enabled = true"}),
+          field<&RampParams::specular>(
+              {.name = "specular",
+               .help = "Ramp over (N.H)^exponent: a list of stops, or an image file.",
+               .is_path = true,
+               .matters_when = "enabled = true"}),
       }};
   return kDescription;
 }
@@ -52,7 +53,8 @@ glm::vec3 evaluate_ramp(const Ramp& ramp, float t) {
 std::vector<glm::vec3> ramp_table(const Ramp& ramp) {
   if (!ramp.image.empty()) return image_table(ramp.image);
   std::vector<glm::vec3> table(kRampTexels);
-  for (int i = 0; i < kRampTexels; ++i) table[i] = evaluate_ramp(ramp, (static_cast<float>(i) + 0.5F) / kRampTexels);
+  for (int i = 0; i < kRampTexels; ++i)
+    table[i] = evaluate_ramp(ramp, (static_cast<float>(i) + 0.5F) / kRampTexels);
   return table;
 }
 

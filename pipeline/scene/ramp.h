@@ -10,7 +10,11 @@ namespace inkbench {
 
 struct RampParams {
   bool enabled = true;
-  Ramp diffuse{{{0.0F, glm::vec3(0.15F)}, {0.15F, glm::vec3(0.45F)}, {0.45F, glm::vec3(0.75F)}, {0.8F, glm::vec3(1.0F)}}, ""};
+  Ramp diffuse{{{0.0F, glm::vec3(0.15F)},
+                {0.15F, glm::vec3(0.45F)},
+                {0.45F, glm::vec3(0.75F)},
+                {0.8F, glm::vec3(1.0F)}},
+               ""};
   Ramp specular{{{0.0F, glm::vec3(0.0F)}, {0.5F, glm::vec3(1.0F)}}, ""};
 
   static const Description& description();
@@ -22,8 +26,8 @@ constexpr int kRampTexels = 1024;
 /// The colour at `t` (0 to 1): constant before the first stop and after the last.
 glm::vec3 evaluate_ramp(const Ramp& ramp, float t);
 
-/// `kRampTexels` colours, texel i at t = (i + 0.5) / kRampTexels; an image's first row is sampled at its nearest pixel.
-/// Errors (input): the image cannot be read.
+/// `kRampTexels` colours, texel i at t = (i + 0.5) / kRampTexels; an image's first row is sampled at its
+/// nearest pixel. Errors (input): the image cannot be read.
 std::vector<glm::vec3> ramp_table(const Ramp& ramp);
 
 }  // namespace inkbench

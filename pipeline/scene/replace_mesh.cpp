@@ -9,7 +9,8 @@ void replace_main_mesh(Settings& settings, const std::filesystem::path& mesh) {
   if (model.size <= 0.0F || model.anchor != Anchor::base) {
     const Bounds bounds = bounds_of(make_model_mesh(model));
     const glm::vec3 extent = bounds.high - bounds.low;
-    const glm::vec3 base{(bounds.low.x + bounds.high.x) / 2, bounds.low.y, (bounds.low.z + bounds.high.z) / 2};
+    const glm::vec3 base{(bounds.low.x + bounds.high.x) / 2, bounds.low.y,
+                         (bounds.low.z + bounds.high.z) / 2};
     model.position = glm::vec3(model_matrix(model, bounds) * glm::vec4(base, 1.0F));
     if (model.size <= 0.0F) model.size = std::max({extent.x, extent.y, extent.z});
     model.anchor = Anchor::base;

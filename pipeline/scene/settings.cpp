@@ -51,14 +51,18 @@ std::vector<ParamGroup> groups_where(Settings& settings, const Wanted& wanted) {
 std::optional<Param> lookup(Settings& settings, const std::string& key) {
   const auto is_named = [&](std::string_view list, const std::string& name) {
     const size_t end = list.size() + 1 + name.size();
-    return key.size() > end && key[end] == '.' && key.starts_with(list) && key.compare(list.size() + 1, name.size(), name) == 0;
+    return key.size() > end && key[end] == '.' && key.starts_with(list) &&
+           key.compare(list.size() + 1, name.size(), name) == 0;
   };
   for (const ParamGroup& group : groups_where(settings, is_named)) {
-    if (!key.starts_with(group.prefix) || key.size() <= group.prefix.size() || key[group.prefix.size()] != '.') continue;
+    if (!key.starts_with(group.prefix) || key.size() <= group.prefix.size() ||
+        key[group.prefix.size()] != '.')
+      continue;
     const std::string_view rest = std::string_view(key).substr(group.prefix.size() + 1);
     for (const Field& field : group.description->fields) {
       if (rest == field.name) return Param{key, &field, group.owner, -1};
-      const bool is_prefix = rest.size() == field.name.size() + 2 && rest.starts_with(field.name) && rest[field.name.size()] == '.';
+      const bool is_prefix = rest.size() == field.name.size() + 2 && rest.starts_with(field.name) &&
+                             rest[field.name.size()] == '.';
       const int component = is_prefix ? component_of(key, field) : -1;
       if (component >= 0) return Param{key, &field, group.owner, component};
     }
@@ -69,11 +73,13 @@ std::optional<Param> lookup(Settings& settings, const std::string& key) {
 void check_names_differ(const Settings& settings) {
   std::set<std::string> names;
   for (const ModelParams& model : settings.models) {
-    if (!names.insert(model.name).second) throw input_error("model", "two models are named '" + model.name + "'");
+    if (!names.insert(model.name).second)
+      throw input_error("model", "two models are named '" + model.name + "'");
   }
   names.clear();
   for (const LightParams& light : settings.lights) {
-    if (!names.insert(light.name).second) throw input_error("light", "two lights are named '" + light.name + "'");
+    if (!names.insert(light.name).second)
+      throw input_error("light", "two lights are named '" + light.name + "'");
   }
 }
 
@@ -106,7 +112,8 @@ Param find_param(Settings& settings, const std::string& key, const std::string& 
                     nearest.empty() ? "`inkbench params` lists them all" : nearest);
 }
 
-void set_param_text(Settings& settings, const std::string& key, const std::string& text, const std::string& where) {
+void set_param_text(Settings& settings, const std::string& key, const std::string& text,
+                    const std::string& where) {
   const Param param = find_param(settings, key, where);
   param.set(value_from_text(param, text, where), where);
 }

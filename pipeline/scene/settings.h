@@ -1,5 +1,5 @@
-// Everything that decides an image: the scene and each pass's parameters, as one value. All visitors (files, `--set`,
-// studies, keys, tables) reach parameters through `list_params`.
+// Everything that decides an image: the scene and each pass's parameters, as one value. All visitors (files,
+// `--set`, studies, keys, tables) reach parameters through `list_params`.
 #pragma once
 
 #include <string>
@@ -44,7 +44,8 @@ bool has_param(Settings& settings, const std::string& key);
 
 /// Sets from TOML text of a value ("0.003", "[0, 1, 0]", "\"box\"", also bare words and "0, 1, 0"); relative
 /// paths are taken from the working folder. Errors (input): as `Param::set`.
-void set_param_text(Settings& settings, const std::string& key, const std::string& text, const std::string& where);
+void set_param_text(Settings& settings, const std::string& key, const std::string& text,
+                    const std::string& where);
 
 /// "KEY=VALUE" as on a command line.
 void apply_assignment(Settings& settings, const std::string& assignment);

@@ -41,8 +41,9 @@ std::string checked_name(const TomlNode& item, const std::string& list, const So
   if (name == nullptr || !name->is_text()) {
     throw input_error(source.at(item), "a [[" + list + "]] without a name", "give it one: name = \"box\"");
   }
-  const bool plain = !name->text.empty() && name->text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                                         "0123456789_-") == std::string::npos;
+  const bool plain = !name->text.empty() && name->text.find_first_not_of(
+                                                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                "0123456789_-") == std::string::npos;
   if (!plain) {
     throw input_error(source.at(*name), "the name \"" + name->text + "\" cannot be part of a key",
                       "use letters, digits, _ and -");
@@ -53,11 +54,13 @@ std::string checked_name(const TomlNode& item, const std::string& list, const So
 bool is_group(Settings& settings, const std::string& prefix) {
   const std::vector<ParamGroup> groups = list_groups(settings);
   return prefix == "model" || prefix == "light" ||
-         std::any_of(groups.begin(), groups.end(), [&](const ParamGroup& group) { return group.prefix == prefix; });
+         std::any_of(groups.begin(), groups.end(),
+                     [&](const ParamGroup& group) { return group.prefix == prefix; });
 }
 
 /// Sets every value below `table`, whose own key is `prefix`.
-void apply_entries(Settings& settings, const TomlNode& table, const std::string& prefix, const Source& source) {
+void apply_entries(Settings& settings, const TomlNode& table, const std::string& prefix,
+                   const Source& source) {
   visit_table(settings, table, prefix, source.name, [&](const Param& param, const TomlNode& node) {
     param.set(value_from_toml(param, node, source.at(node), source.folder.string()), source.at(node));
   });
@@ -69,13 +72,16 @@ void apply_list(Settings& settings, std::vector<Item>& items, const std::string&
                 const Source& source) {
   std::vector<std::string> seen;
   for (const TomlNode& table : array.items) {
-    if (!table.is_table()) throw input_error(source.at(array), list + " holds " + table.kind_name(), "it is a list of tables");
+    if (!table.is_table())
+      throw input_error(source.at(array), list + " holds " + table.kind_name(), "it is a list of tables");
     const std::string name = checked_name(table, list, source);
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
-      throw input_error(source.at(table), "a second [[" + list + "]] is named '" + name + "'", "names must differ");
+      throw input_error(source.at(table), "a second [[" + list + "]] is named '" + name + "'",
+                        "names must differ");
     }
     seen.push_back(name);
-    const bool known = std::any_of(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
+    const bool known =
+        std::any_of(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
     if (items.size() >= kMaxModels) throw input_error(source.at(table), "too many [[" + list + "]] tables");
     if (!known) {
       items.emplace_back();
@@ -92,7 +98,8 @@ void apply_document(Settings& settings, const TomlNode& document, const Source& 
     throw input_error(source.at(*title), "title is " + title->kind_name(), "it must be text");
   }
   TomlNode rest = document;
-  std::erase_if(rest.entries, [](const auto& entry) { return entry.first == "base" || entry.first == "title"; });
+  std::erase_if(rest.entries,
+                [](const auto& entry) { return entry.first == "base" || entry.first == "title"; });
   for (const char* list : {"model", "light"}) {
     const TomlNode* array = document.find(list);
     if (array == nullptr || !array->is_array()) continue;
@@ -106,7 +113,8 @@ void apply_document(Settings& settings, const TomlNode& document, const Source& 
 Settings read_settings(const TomlNode& document, const Source& source) {
   Settings settings;
   if (const TomlNode* base = document.find("base")) {
-    if (!base->is_text()) throw input_error(source.at(*base), "base is " + base->kind_name(), "it must be a scene file's path");
+    if (!base->is_text())
+      throw input_error(source.at(*base), "base is " + base->kind_name(), "it must be a scene file's path");
     try {
       settings = read_settings_file(source.folder / base->text, source.open_files);
     } catch (const Error& error) {
@@ -137,14 +145,15 @@ void apply_table(Settings& settings, const TomlNode& table, const std::string& n
   apply_entries(settings, table, "", {name, folder, {}});
 }
 
-void visit_table(Settings& settings, const TomlNode& table, const std::string& prefix, const std::string& name,
-                 const ParamVisitor& visit) {
+void visit_table(Settings& settings, const TomlNode& table, const std::string& prefix,
+                 const std::string& name, const ParamVisitor& visit) {
   std::vector<Param> seen;
   for (const auto& [part, node] : table.entries) {
     const std::string key = prefix.empty() ? part : prefix + "." + part;
     const std::string where = name + ":" + std::to_string(node.line);
     if (part.find('.') != std::string::npos) {
-      throw input_error(where, "the key '" + part + "' is quoted, so its dots do not separate parts", "leave the quotes out");
+      throw input_error(where, "the key '" + part + "' is quoted, so its dots do not separate parts",
+                        "leave the quotes out");
     }
     const bool is_empty_group = node.is_table() && node.entries.empty() && is_group(settings, key);
     if (is_empty_group) continue;
@@ -154,7 +163,8 @@ void visit_table(Settings& settings, const TomlNode& table, const std::string& p
     }
     const Param param = find_param(settings, key, where);
     for (const Param& other : seen) {
-      if (param.overlaps(other)) throw input_error(where, key + " and " + other.key + " are the same", "give one of them");
+      if (param.overlaps(other))
+        throw input_error(where, key + " and " + other.key + " are the same", "give one of them");
     }
     seen.push_back(param);
     visit(param, node);

@@ -32,7 +32,8 @@ void fill(Picture& picture, int x, int y, int width, int height, uint8_t grey) {
   }
 }
 
-/// What stands in for a failed cell: pale diagonal hatching, and "failed" where the cell is large enough to read it.
+/// What stands in for a failed cell: pale diagonal hatching, and "failed" where the cell is large enough to
+/// read it.
 Picture failed_picture(const GridPlan& plan) {
   Picture picture(plan.cell_width_px, plan.cell_height_px, 3, kFailedGrey);
   const int period = std::max(6, plan.text_px * 2 / 3);
@@ -42,8 +43,9 @@ Picture failed_picture(const GridPlan& plan) {
     }
   }
   const std::string word = "failed";
-  const TextStyle style{fitted_size_px({&word, 1}, {picture.width_px * 3 / 4, plan.text_px, 10, 1}, Face::regular),
-                        Face::regular, kFailedTextColour};
+  const TextStyle style{
+      fitted_size_px({&word, 1}, {picture.width_px * 3 / 4, plan.text_px, 10, 1}, Face::regular),
+      Face::regular, kFailedTextColour};
   const int width = text_width_px(word, style.size_px, style.face), height = line_height_px(style.size_px);
   if (width >= picture.width_px || height >= picture.height_px) return picture;
   const int left = (picture.width_px - width) / 2, top = (picture.height_px - height) / 2;
@@ -59,7 +61,8 @@ Picture fitted_into_cell(const Picture& picture, const GridPlan& plan) {
   const auto side = [&](int length, int limit) {
     return std::clamp(static_cast<int>(std::lround(length * scale)), 1, limit);
   };
-  return scaled(picture, side(picture.width_px, plan.cell_width_px), side(picture.height_px, plan.cell_height_px));
+  return scaled(picture, side(picture.width_px, plan.cell_width_px),
+                side(picture.height_px, plan.cell_height_px));
 }
 
 /// Draws one sheet in strips that each hold one row of cells and what stands above it.
@@ -106,7 +109,8 @@ class SheetPainter {
 
   void paint_cell(const GridSlot& slot) {
     const int x = slot.x_px, y = slot.y_px - top_, frame = plan_.frame_px;
-    fill(strip_, x - frame, y - frame, plan_.cell_width_px + 2 * frame, plan_.cell_height_px + 2 * frame, kFrameGrey);
+    fill(strip_, x - frame, y - frame, plan_.cell_width_px + 2 * frame, plan_.cell_height_px + 2 * frame,
+         kFrameGrey);
     const std::optional<Picture> picture = cell_(slot.column, slot.row, sheet_.page);
     if (!picture) {
       paste(strip_, failed(), x, y);

@@ -117,7 +117,8 @@ class Measurer {
  private:
   /// Slots as large as cells, and wider or higher where the smallest text needs it.
   void measure_slots(GridMetrics& m) const {
-    constexpr int kWidestWord = 8 * kSmallestText;  // Longer words are broken rather than spread tiny cells apart.
+    constexpr int kWidestWord =
+        8 * kSmallestText;  // Longer words are broken rather than spread tiny cells apart.
     int value_px = 0;
     for (const std::string& value : columns_.values) {
       value_px = std::max(value_px, widest_word_px(value, kSmallestText, Face::regular));
@@ -129,12 +130,14 @@ class Measurer {
                                 std::min(kWidestWord, share(columns_, m.counts.columns))});
     m.slot_height_px = m.cell_height_px;
     if (!m.counts.flow) {
-      m.slot_height_px = std::max(m.slot_height_px, std::min(kWidestWord, share(layout_.rows, m.counts.rows)));
+      m.slot_height_px =
+          std::max(m.slot_height_px, std::min(kWidestWord, share(layout_.rows, m.counts.rows)));
     }
   }
 
-  /// Text grows with the sheet, since the sheet is shown at the size of a paper's page: a sixtieth of its width is 8
-  /// points in a figure of 17 cm. Bounded from below by what one cell needs and by what a narrow sheet has room for.
+  /// Text grows with the sheet, since the sheet is shown at the size of a paper's page: a sixtieth of its
+  /// width is 8 points in a figure of 17 cm. Bounded from below by what one cell needs and by what a narrow
+  /// sheet has room for.
   void measure_type(GridMetrics& m) const {
     m.gutter_px = std::clamp(m.slot_width_px / 40, 4, 48);
     const int width_px = m.block_width_px();
@@ -214,7 +217,8 @@ class Measurer {
   std::vector<std::string> subtitles_, subtitles_in_parts_;
 };
 
-/// Chooses the largest cells with which a sheet holds all, else the smallest allowed and as many as a sheet holds.
+/// Chooses the largest cells with which a sheet holds all, else the smallest allowed and as many as a sheet
+/// holds.
 class Fitter {
  public:
   explicit Fitter(const GridLayout& layout) : layout_(layout), measurer_(layout) {
@@ -240,12 +244,14 @@ class Fitter {
  private:
   GridCounts counts(int columns, int rows) const {
     if (!flow_) return {false, columns, rows};
-    const int in_row = block_columns(columns, static_cast<double>(layout_.cell_width_px) / layout_.cell_height_px);
+    const int in_row =
+        block_columns(columns, static_cast<double>(layout_.cell_width_px) / layout_.cell_height_px);
     return {true, in_row, ceil_div(columns, in_row)};
   }
 
   GridMetrics measured(int longer_px, const GridCounts& some) const {
-    const double scale = static_cast<double>(longer_px) / std::max(layout_.cell_width_px, layout_.cell_height_px);
+    const double scale =
+        static_cast<double>(longer_px) / std::max(layout_.cell_width_px, layout_.cell_height_px);
     return measurer_.measure(scale, some, some.columns * some.rows < columns_ * rows_);
   }
 

@@ -42,7 +42,8 @@ class SheetMaker {
   }
 
   /// Lines one below the other; `x` is the left, middle or right of all.
-  void place_lines(const std::vector<std::string>& lines, int x, int top, const TextStyle& style, Align align) {
+  void place_lines(const std::vector<std::string>& lines, int x, int top, const TextStyle& style,
+                   Align align) {
     for (const std::string& line : lines) {
       const int width = text_width_px(line, style.size_px, style.face);
       const int left = align == Align::left ? x : align == Align::right ? x - width : x - width / 2;
@@ -53,7 +54,8 @@ class SheetMaker {
 
   void place_header() {
     const TextStyle title{m_.title.size_px, Face::bold, kTitleColour};
-    place_lines(block_lines(layout_.title, m_.title, Face::bold), m_.margin_px, m_.margin_px, title, Align::left);
+    place_lines(block_lines(layout_.title, m_.title, Face::bold), m_.margin_px, m_.margin_px, title,
+                Align::left);
     int top = m_.margin_px + m_.title.height_px;
     if (m_.title.height_px > 0) top += m_.body_px / 4;
     const TextStyle subtitle{m_.subtitle.size_px, Face::regular, kSubtitleColour};
@@ -80,7 +82,8 @@ class SheetMaker {
     block.width_px = std::min(block.width_px, std::max(width, m_.width_px - 2 * m_.margin_px));
     const std::vector<std::string> lines = block_lines(label, block, Face::regular);
     int widest = 0;
-    for (const std::string& line : lines) widest = std::max(widest, text_width_px(line, style.size_px, style.face));
+    for (const std::string& line : lines)
+      widest = std::max(widest, text_width_px(line, style.size_px, style.face));
     const int middle = std::max(m_.left_px + width / 2, m_.margin_px + widest / 2 + 1);
     place_lines(lines, middle, bottom - m_.body_px / 4 - m_.column_label.height_px, style, Align::centre);
   }
@@ -89,8 +92,8 @@ class SheetMaker {
     const int line_px = line_height_px(m_.value_px), room = std::max(1, m_.slot_height_px / line_px);
     const auto lines = block_lines(value, {m_.value_px, m_.row_values_width_px, room, 0}, Face::regular);
     const int height = static_cast<int>(lines.size()) * line_px;
-    place_lines(lines, m_.left_px - m_.value_px / 2, slot_top + (m_.slot_height_px - height) / 2, value_style(),
-                Align::right);
+    place_lines(lines, m_.left_px - m_.value_px / 2, slot_top + (m_.slot_height_px - height) / 2,
+                value_style(), Align::right);
   }
 
   void place_row_label(int rows) {
@@ -100,7 +103,8 @@ class SheetMaker {
     for (const std::string& line : block_lines(layout_.rows.label, m_.row_label, Face::regular)) {
       const int length = text_width_px(line, style.size_px, style.face);
       const int bottom = std::min(m_.top_px + (height + length) / 2, m_.height_px - m_.margin_px);
-      sheet_.lines.push_back({line, style, left + baseline_px(style.size_px), std::max(bottom, length), true});
+      sheet_.lines.push_back(
+          {line, style, left + baseline_px(style.size_px), std::max(bottom, length), true});
       left += line_height_px(style.size_px);
     }
   }
@@ -116,7 +120,8 @@ class SheetMaker {
     const int columns = part_.end_column - part_.first_column, rows = part_.end_row - part_.first_row;
     place_column_label(layout_.columns.label, columns, m_.top_px - m_.column_values_height_px);
     for (int column = 0; column < columns; ++column) {
-      place_column_value(layout_.columns.values[part_.first_column + column], slot_left_px(column), m_.top_px);
+      place_column_value(layout_.columns.values[part_.first_column + column], slot_left_px(column),
+                         m_.top_px);
     }
     place_row_label(rows);
     int top = m_.top_px;
@@ -132,7 +137,8 @@ class SheetMaker {
   void place_flow() {
     const GridAxis& axis = *flow_axis(layout_);
     const bool along_columns = &axis == &layout_.columns;
-    place_column_label(axis.label, std::min(m_.counts.columns, part_.end_column - part_.first_column), m_.top_px);
+    place_column_label(axis.label, std::min(m_.counts.columns, part_.end_column - part_.first_column),
+                       m_.top_px);
     int rows = 0;
     for (int i = part_.first_column; i < part_.end_column; ++i) {
       const int place = i - part_.first_column;
@@ -160,7 +166,8 @@ std::vector<Part> parts_of_page(const GridLayout& layout, const GridCounts& coun
   std::vector<Part> parts;
   for (int row = 0; row < rows; row += row_step) {
     for (int column = 0; column < columns; column += column_step) {
-      parts.push_back({page, column, std::min(columns, column + column_step), row, std::min(rows, row + row_step), ""});
+      parts.push_back(
+          {page, column, std::min(columns, column + column_step), row, std::min(rows, row + row_step), ""});
     }
   }
   if (parts.size() == 1) return parts;

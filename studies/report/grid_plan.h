@@ -1,5 +1,6 @@
-// Where everything in the image grid goes: sizes, line breaks, labels, the split into pictures. Pure arithmetic on
-// the layout and the widths of texts. In: a GridLayout. Out: sheets (one written picture each) for grid.cpp to draw.
+// Where everything in the image grid goes: sizes, line breaks, labels, the split into pictures. Pure
+// arithmetic on the layout and the widths of texts. In: a GridLayout. Out: sheets (one written picture each)
+// for grid.cpp to draw.
 #pragma once
 
 #include <string>
@@ -39,12 +40,13 @@ struct GridSheet {
 struct GridPlan {
   int cell_width_px = 0;  ///< As drawn.
   int cell_height_px = 0;
-  int frame_px = 1;       ///< Width of the line around each cell, outside its picture.
-  int text_px = 14;       ///< Size of body text, for what is written inside cells.
+  int frame_px = 1;  ///< Width of the line around each cell, outside its picture.
+  int text_px = 14;  ///< Size of body text, for what is written inside cells.
   std::vector<GridSheet> sheets;
 };
 
-/// All sheets, in the order of `write_grid`. No text overlaps another or a cell, and nothing leaves its sheet.
+/// All sheets, in the order of `write_grid`. No text overlaps another or a cell, and nothing leaves its
+/// sheet.
 GridPlan plan_grid(const GridLayout& layout);
 
 }  // namespace inkbench

@@ -103,7 +103,8 @@ class Fonts {
     FT_Face handle = faces_[face == Face::bold ? 1 : 0].get();
     FT_Set_Pixel_Sizes(handle, 0, static_cast<FT_UInt>(size_px));
     if (FT_Load_Char(handle, code, flags) != 0) {
-      throw work_error("", "the font cannot show the character " + std::to_string(static_cast<uint32_t>(code)));
+      throw work_error("",
+                       "the font cannot show the character " + std::to_string(static_cast<uint32_t>(code)));
     }
     return handle->glyph;
   }
@@ -177,8 +178,8 @@ void blend(Picture& picture, int x, int y, const std::array<uint8_t, 3>& colour,
 }
 
 /// Draws a glyph whose pen stands `pen_px` from the line's start (x, y).
-void draw_glyph(Picture& picture, int x, int y, int pen_px, const FT_GlyphSlotRec_& glyph, const TextStyle& style,
-                bool upwards) {
+void draw_glyph(Picture& picture, int x, int y, int pen_px, const FT_GlyphSlotRec_& glyph,
+                const TextStyle& style, bool upwards) {
   const FT_Bitmap& bitmap = glyph.bitmap;
   for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {
     for (int column = 0; column < static_cast<int>(bitmap.width); ++column) {
@@ -211,14 +212,16 @@ int text_width_px(std::string_view line, int size_px, Face face) {
 int widest_word_px(std::string_view text, int size_px, Face face) {
   int widest = 0;
   for (const std::string& line : split(text, '\n')) {
-    for (const std::string& word : split(line, ' ')) widest = std::max(widest, text_width_px(word, size_px, face));
+    for (const std::string& word : split(line, ' '))
+      widest = std::max(widest, text_width_px(word, size_px, face));
   }
   return widest;
 }
 
 std::vector<std::string> wrapped(std::string_view text, int width_px, int size_px, Face face) {
   std::vector<std::string> lines;
-  for (const std::string& paragraph : split(text, '\n')) wrap_paragraph(paragraph, width_px, size_px, face, lines);
+  for (const std::string& paragraph : split(text, '\n'))
+    wrap_paragraph(paragraph, width_px, size_px, face, lines);
   if (lines.empty()) lines.emplace_back();
   return lines;
 }

@@ -18,7 +18,8 @@ std::array<float, 256> make_light_table() {
   return table;
 }
 
-/// The sRGB code whose light is nearest in code space, by a table fine enough for the steepest part, near black.
+/// The sRGB code whose light is nearest in code space, by a table fine enough for the steepest part, near
+/// black.
 uint8_t encoded(float light) {
   static constexpr int kSteps = 1 << 14;
   static const std::vector<uint8_t> kTable = [] {
@@ -47,7 +48,8 @@ std::vector<Cover> covers(int old_size, int new_size) {
     const int last = std::min(old_size, static_cast<int>(std::ceil(end - 1e-9)));
     all[i].first = first;
     for (int j = first; j < std::max(last, first + 1); ++j) {
-      all[i].weights.push_back(static_cast<float>((std::min(end, j + 1.0) - std::max(begin, 1.0 * j)) / step));
+      all[i].weights.push_back(
+          static_cast<float>((std::min(end, j + 1.0) - std::max(begin, 1.0 * j)) / step));
     }
   }
   return all;

@@ -16,8 +16,10 @@ FileRecord record_file(const fs::path& folder, const std::string& name) {
 
 std::string journal_line(const CellRecord& record) {
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
-  for (const FileRecord& file : record.files) files.push_back({{"name", file.name}, {"bytes", file.bytes}, {"hash", file.hash}});
-  const nlohmann::ordered_json line{{"cell", record.index}, {"key", record.key}, {"numbers", record.numbers}, {"files", files}};
+  for (const FileRecord& file : record.files)
+    files.push_back({{"name", file.name}, {"bytes", file.bytes}, {"hash", file.hash}});
+  const nlohmann::ordered_json line{
+      {"cell", record.index}, {"key", record.key}, {"numbers", record.numbers}, {"files", files}};
   return line.dump() + "\n";
 }
 
@@ -31,7 +33,8 @@ std::map<size_t, CellRecord> read_journal(const fs::path& path) {
     try {
       const nlohmann::json line = nlohmann::json::parse(text);
       CellRecord record{line.at("cell"), line.at("key"), line.at("numbers"), {}};
-      for (const nlohmann::json& file : line.at("files")) record.files.push_back({file.at("name"), file.at("bytes"), file.at("hash")});
+      for (const nlohmann::json& file : line.at("files"))
+        record.files.push_back({file.at("name"), file.at("bytes"), file.at("hash")});
       records[record.index] = std::move(record);
     } catch (const nlohmann::json::exception&) {
       continue;  // torn by a kill: the cell is simply drawn again

@@ -1,5 +1,5 @@
-// What a study has finished, one line a cell, appended as cells end. It decides what a later run trusts: a cell counts
-// only if its key and the size and hash of each of its files are still those of its line.
+// What a study has finished, one line a cell, appended as cells end. It decides what a later run trusts: a
+// cell counts only if its key and the size and hash of each of its files are still those of its line.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,8 @@ FileRecord record_file(const std::filesystem::path& folder, const std::string& n
 
 std::string journal_line(const CellRecord& record);
 
-/// All whole lines of a journal; a torn last line or a damaged one is left out. Empty where there is no journal.
+/// All whole lines of a journal; a torn last line or a damaged one is left out. Empty where there is no
+/// journal.
 std::map<size_t, CellRecord> read_journal(const std::filesystem::path& path);
 
 /// Whether the record's files are all there, unchanged.

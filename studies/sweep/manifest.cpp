@@ -10,7 +10,8 @@
 
 namespace inkbench {
 
-void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyResult& result, const std::string& state) {
+void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyResult& result,
+                    const std::string& state) {
   const RendererInfo renderer = renderer_info();
   std::vector<std::string> grids;
   for (const fs::path& grid : result.grids) grids.push_back(grid.filename().string());
@@ -30,7 +31,8 @@ void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyRe
        {{"written", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
         {"cells_drawn", result.progress.drawn},
         {"seconds", result.progress.seconds}}}};
-  write_file_atomically(folder / "manifest.json", manifest.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write_file_atomically(folder / "manifest.json",
+                        manifest.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace inkbench

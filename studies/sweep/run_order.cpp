@@ -6,8 +6,8 @@
 namespace inkbench {
 namespace {
 
-/// What a change costs, by the stages whose keys differ. The weights are the passes' rough shares of a frame; only
-/// their order matters.
+/// What a change costs, by the stages whose keys differ. The weights are the passes' rough shares of a frame;
+/// only their order matters.
 int change_cost(const PassKeys& a, const PassKeys& b) {
   int cost = 0;
   cost += a.meshes != b.meshes ? 200 : 0;
@@ -41,7 +41,8 @@ std::vector<size_t> run_order(Pipeline& pipeline, const StudySpec& spec) {
   std::vector<int> costs;
   for (const Axis& axis : spec.axes) costs.push_back(axis_cost(pipeline, spec, axis));
   // Costliest first; equal ones as the grid has them, pages outermost.
-  std::stable_sort(axes.begin(), axes.end(), [&](size_t a, size_t b) { return costs[a] != costs[b] ? costs[a] > costs[b] : a > b; });
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](size_t a, size_t b) { return costs[a] != costs[b] ? costs[a] > costs[b] : a > b; });
 
   size_t position = 0;
   std::vector<size_t> strides{1};

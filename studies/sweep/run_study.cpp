@@ -29,8 +29,10 @@ struct DrawnCell {
 
 /// The numbers of `number_columns`: the share of inked pixels (measures 3.10) and their count.
 std::vector<std::string> measure(const Image& combined_edges) {
-  const auto inked = std::count_if(combined_edges.samples.begin(), combined_edges.samples.end(), [](float e) { return e > 0.0F; });
-  return {shortest(static_cast<double>(inked) / static_cast<double>(combined_edges.samples.size())), std::to_string(inked)};
+  const auto inked = std::count_if(combined_edges.samples.begin(), combined_edges.samples.end(),
+                                   [](float e) { return e > 0.0F; });
+  return {shortest(static_cast<double>(inked) / static_cast<double>(combined_edges.samples.size())),
+          std::to_string(inked)};
 }
 
 Key cell_key(Pipeline& pipeline, const StudySpec& spec, const Settings& settings) {
@@ -45,7 +47,10 @@ Key cell_key(Pipeline& pipeline, const StudySpec& spec, const Settings& settings
 class StudyRun {
  public:
   StudyRun(Pipeline& pipeline, const StudySpec& spec, const StudyOptions& options)
-      : pipeline_(pipeline), spec_(spec), options_(options), folder_(spec, options.folder, cell_keys(), options.fresh) {
+      : pipeline_(pipeline),
+        spec_(spec),
+        options_(options),
+        folder_(spec, options.folder, cell_keys(), options.fresh) {
     result_.progress.total = cell_count(spec);
     result_.progress.done = folder_.done_count();
   }
@@ -73,11 +78,14 @@ class StudyRun {
     return keys;
   }
 
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
   bool should_stop() const {
     const std::lock_guard lock(mutex_);
-    return fatal_ || (options_.stop != nullptr && *options_.stop) || (options_.fail_fast && result_.progress.failed > 0);
+    return fatal_ || (options_.stop != nullptr && *options_.stop) ||
+           (options_.fail_fast && result_.progress.failed > 0);
   }
 
   void draw_cells() {
@@ -102,7 +110,8 @@ class StudyRun {
 
   DrawnCell draw(const Cell& cell) {
     DrawnCell drawn{cell.index, cell.name, cell_settings(spec_, cell), {}, {}};
-    for (const BufferName buffer : spec_.show) drawn.pictures.push_back(pipeline_.picture(drawn.settings, buffer));
+    for (const BufferName buffer : spec_.show)
+      drawn.pictures.push_back(pipeline_.picture(drawn.settings, buffer));
     drawn.numbers = measure(pipeline_.raw(drawn.settings, BufferName::combined_edges));
     return drawn;
   }
@@ -130,7 +139,8 @@ class StudyRun {
     }
     {
       const std::lock_guard lock(mutex_);
-      failures_.emplace_back(index, "cell " + std::to_string(index + 1) + (name.empty() ? "" : " (" + name + ")") + ": " + message);
+      failures_.emplace_back(index, "cell " + std::to_string(index + 1) +
+                                        (name.empty() ? "" : " (" + name + ")") + ": " + message);
     }
     report(false);
   }

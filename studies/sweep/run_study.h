@@ -1,5 +1,6 @@
-// Runs a study: draws its cells so that the cheapest change is innermost, encodes them beside the drawing, and leaves a
-// folder with grid.png, cells/, data.csv and manifest.json. Continues what an earlier run of the same study left.
+// Runs a study: draws its cells so that the cheapest change is innermost, encodes them beside the drawing,
+// and leaves a folder with grid.png, cells/, data.csv and manifest.json. Continues what an earlier run of the
+// same study left.
 #pragma once
 
 #include <atomic>
@@ -14,19 +15,20 @@
 namespace inkbench {
 
 struct StudyProgress {
-  size_t done = 0;    ///< Cells that are finished, those of earlier runs included.
+  size_t done = 0;  ///< Cells that are finished, those of earlier runs included.
   size_t total = 0;
-  size_t drawn = 0;   ///< Of them, in this run.
+  size_t drawn = 0;  ///< Of them, in this run.
   size_t failed = 0;
   double seconds = 0;  ///< Since this run started.
 };
 
 struct StudyOptions {
   std::filesystem::path folder;
-  bool fresh = false;      ///< Forget what an earlier run finished.
-  bool fail_fast = false;  ///< Stop at the first cell that fails.
-  const std::atomic<bool>* stop = nullptr;                ///< Set from elsewhere to stop after the current cell.
-  std::function<void(const StudyProgress&)> on_progress;  ///< After each cell, from any thread, one at a time.
+  bool fresh = false;                       ///< Forget what an earlier run finished.
+  bool fail_fast = false;                   ///< Stop at the first cell that fails.
+  const std::atomic<bool>* stop = nullptr;  ///< Set from elsewhere to stop after the current cell.
+  std::function<void(const StudyProgress&)>
+      on_progress;  ///< After each cell, from any thread, one at a time.
 };
 
 struct StudyResult {

@@ -22,7 +22,8 @@ constexpr int kMaxAxisCount = 1'000'000;
 /// Reading one spec: the document, its name for errors and the folder that relative paths start from.
 class SpecReader {
  public:
-  SpecReader(const std::string& text, const fs::path& path) : path_(path), document_(parse_toml(text, path.string())) {
+  SpecReader(const std::string& text, const fs::path& path)
+      : path_(path), document_(parse_toml(text, path.string())) {
     spec_.path = path;
     spec_.text = text;
   }
@@ -34,7 +35,8 @@ class SpecReader {
     spec_.base = load_settings(scene_path());
     read_size();
     read_show();
-    if (const TomlNode* set = table_entry("set")) apply_table(spec_.base, *set, path_.string(), path_.parent_path());
+    if (const TomlNode* set = table_entry("set"))
+      apply_table(spec_.base, *set, path_.string(), path_.parent_path());
     for (const std::string& assignment : assignments) apply_assignment(spec_.base, assignment);
     read_axes();
     read_variants();
@@ -76,9 +78,11 @@ class SpecReader {
     std::vector<const TomlNode*> result;
     const TomlNode* list = document_.find(key);
     if (list == nullptr) return result;
-    const bool all_tables = list->is_array() && std::all_of(list->items.begin(), list->items.end(),
-                                                            [](const TomlNode& item) { return item.is_table(); });
-    if (!all_tables) throw input_error(at(*list), key + " is " + list->kind_name(), "it must be tables: [[" + key + "]]");
+    const bool all_tables =
+        list->is_array() && std::all_of(list->items.begin(), list->items.end(),
+                                        [](const TomlNode& item) { return item.is_table(); });
+    if (!all_tables)
+      throw input_error(at(*list), key + " is " + list->kind_name(), "it must be tables: [[" + key + "]]");
     for (const TomlNode& item : list->items) result.push_back(&item);
     return result;
   }
@@ -99,7 +103,8 @@ class SpecReader {
     const TomlNode* node = document_.find("size");
     if (node == nullptr) return;
     const bool pair = node->is_array() && node->items.size() == 2;
-    if (!pair) throw input_error(at(*node), "size is " + node->kind_name(), "it must be [width, height] in px");
+    if (!pair)
+      throw input_error(at(*node), "size is " + node->kind_name(), "it must be [width, height] in px");
     set_value("image.width", node->items[0], at(*node));
     set_value("image.height", node->items[1], at(*node));
   }
@@ -113,7 +118,9 @@ class SpecReader {
     const TomlNode* node = document_.find("show");
     std::vector<std::string> names{"final"};
     if (node != nullptr) {
-      if (!node->is_array()) throw input_error(at(*node), "show is " + node->kind_name(), "it must be a list of buffers: [\"final\"]");
+      if (!node->is_array())
+        throw input_error(at(*node), "show is " + node->kind_name(),
+                          "it must be a list of buffers: [\"final\"]");
       names.clear();
       for (const TomlNode& item : node->items) names.push_back(text_of(item, "show"));
     }
@@ -124,7 +131,8 @@ class SpecReader {
     for (const TomlNode* table : tables("axis")) {
       check_keys(*table, {"key", "values", "label", "from", "to", "count", "scale"});
       const TomlNode* key = table->find("key");
-      if (key == nullptr) throw input_error(at(*table), "an [[axis]] without a key", "give it one: key = \"combine.k_depth\"");
+      if (key == nullptr)
+        throw input_error(at(*table), "an [[axis]] without a key", "give it one: key = \"combine.k_depth\"");
       Axis axis;
       axis.key = text_of(*key, "key");
       const Param param = find_param(spec_.base, axis.key, at(*key));
@@ -135,23 +143,30 @@ class SpecReader {
       }
       const TomlNode* label = table->find("label");
       axis.label = label == nullptr ? axis.key.substr(axis.key.rfind('.') + 1) : text_of(*label, "label");
-      axis.values = table->find("values") != nullptr ? listed_values(*table, param) : range_values(*table, param);
+      axis.values =
+          table->find("values") != nullptr ? listed_values(*table, param) : range_values(*table, param);
       spec_.axes.push_back(std::move(axis));
     }
-    if (spec_.axes.size() > 3) throw input_error(path_.string(), fmt::format("has {} axes", spec_.axes.size()), "at most three: columns, rows, pages");
+    if (spec_.axes.size() > 3)
+      throw input_error(path_.string(), fmt::format("has {} axes", spec_.axes.size()),
+                        "at most three: columns, rows, pages");
   }
 
   std::vector<Value> listed_values(const TomlNode& table, const Param& param) const {
     const TomlNode& list = *table.find("values");
     for (const char* key : {"from", "to", "count", "scale"}) {
       if (const TomlNode* other = table.find(key)) {
-        throw input_error(at(*other), std::string("both values and ") + key, "give values, or from, to and count");
+        throw input_error(at(*other), std::string("both values and ") + key,
+                          "give values, or from, to and count");
       }
     }
     if (!list.is_array()) throw input_error(at(list), "values is " + list.kind_name(), "it must be a list");
-    if (list.items.empty()) throw input_error(at(list), "the axis over " + param.key + " has no values", "list at least one");
+    if (list.items.empty())
+      throw input_error(at(list), "the axis over " + param.key + " has no values", "list at least one");
     std::vector<Value> values;
-    for (const TomlNode& item : list.items) values.push_back(checked(param, value_from_toml(param, item, at(item), path_.parent_path().string()), at(item)));
+    for (const TomlNode& item : list.items)
+      values.push_back(
+          checked(param, value_from_toml(param, item, at(item), path_.parent_path().string()), at(item)));
     return values;
   }
 
@@ -162,7 +177,9 @@ class SpecReader {
 
   double number_entry(const TomlNode& table, const std::string& key) const {
     const TomlNode* node = table.find(key);
-    if (node == nullptr) throw input_error(at(table), "the axis has no values and no " + key, "give values, or from, to and count");
+    if (node == nullptr)
+      throw input_error(at(table), "the axis has no values and no " + key,
+                        "give values, or from, to and count");
     if (node->kind == TomlNode::Kind::integer) return static_cast<double>(node->integer);
     if (node->kind == TomlNode::Kind::real && std::isfinite(node->real)) return node->real;
     throw input_error(at(*node), key + " is " + node->kind_name(), "it must be a finite number");
@@ -172,7 +189,8 @@ class SpecReader {
     const TomlNode* node = table.find("scale");
     if (node == nullptr) return param.field->scale == Scale::log;
     const std::string scale = text_of(*node, "scale");
-    if (scale != "linear" && scale != "log") throw input_error(at(*node), "scale is \"" + scale + "\"", "one of: linear, log");
+    if (scale != "linear" && scale != "log")
+      throw input_error(at(*node), "scale is \"" + scale + "\"", "one of: linear, log");
     return scale == "log";
   }
 
@@ -183,19 +201,27 @@ class SpecReader {
     const bool log = is_log(table, param);
     const bool integer = param.field->type == FieldType::integer;
     if (!integer && param.field->type != FieldType::real && param.component < 0) {
-      throw input_error(at(table), "from and to need a number, and " + param.key + " is a " + std::string(type_name(param.field->type)),
+      throw input_error(at(table),
+                        "from and to need a number, and " + param.key + " is a " +
+                            std::string(type_name(param.field->type)),
                         "give values instead");
     }
     if (count < 1 || count > kMaxAxisCount || count != std::floor(count)) {
-      throw input_error(at(*table.find("count")), "count = " + shortest(count), "it must be a whole number from 1 to " + with_commas(kMaxAxisCount));
+      throw input_error(at(*table.find("count")), "count = " + shortest(count),
+                        "it must be a whole number from 1 to " + with_commas(kMaxAxisCount));
     }
     for (const double end : {from, to}) checked(param, static_cast<float>(end), at(table));
-    if (log && (from <= 0 || to <= 0)) throw input_error(at(table), "a log axis from " + shortest(from) + " to " + shortest(to), "both must be above 0");
+    if (log && (from <= 0 || to <= 0))
+      throw input_error(at(table), "a log axis from " + shortest(from) + " to " + shortest(to),
+                        "both must be above 0");
     std::vector<Value> values;
     for (int i = 0; i < static_cast<int>(count); ++i) {
       const double t = count > 1 ? i / (count - 1) : 0.0;
-      const double number = i == count - 1 && count > 1 ? to : log ? from * std::pow(to / from, t) : from + (to - from) * t;
-      const Value value = integer ? Value(static_cast<int>(std::lround(number))) : Value(static_cast<float>(number));
+      const double number = i == count - 1 && count > 1 ? to
+                            : log                       ? from * std::pow(to / from, t)
+                                                        : from + (to - from) * t;
+      const Value value =
+          integer ? Value(static_cast<int>(std::lround(number))) : Value(static_cast<float>(number));
       if (values.empty() || values.back() != value) values.push_back(checked(param, value, at(table)));
     }
     return values;
@@ -203,13 +229,18 @@ class SpecReader {
 
   void read_variants() {
     for (const TomlNode* table : tables("variant")) {
-      if (!spec_.axes.empty()) throw input_error(at(*table), "both [[axis]] and [[variant]]", "a study has one or the other");
+      if (!spec_.axes.empty())
+        throw input_error(at(*table), "both [[axis]] and [[variant]]", "a study has one or the other");
       check_keys(*table, {"name", "set"});
       const TomlNode* name = table->find("name");
-      if (name == nullptr) throw input_error(at(*table), "a [[variant]] without a name", "give it one: name = \"k_depth = 0.001\"");
+      if (name == nullptr)
+        throw input_error(at(*table), "a [[variant]] without a name",
+                          "give it one: name = \"k_depth = 0.001\"");
       Variant variant{text_of(*name, "name"), {}};
       for (const Variant& other : spec_.variants) {
-        if (other.name == variant.name) throw input_error(at(*name), "a second variant is named \"" + variant.name + "\"", "names must differ");
+        if (other.name == variant.name)
+          throw input_error(at(*name), "a second variant is named \"" + variant.name + "\"",
+                            "names must differ");
       }
       if (const TomlNode* set = table->find("set")) variant.set = assignments_in(*set);
       spec_.variants.push_back(std::move(variant));
@@ -218,7 +249,8 @@ class SpecReader {
 
   /// The leaves of a variant's set as assignments, checked.
   std::vector<Assignment> assignments_in(const TomlNode& table) {
-    if (!table.is_table()) throw input_error(at(table), "set is " + table.kind_name(), "it must be a table: [variant.set]");
+    if (!table.is_table())
+      throw input_error(at(table), "set is " + table.kind_name(), "it must be a table: [variant.set]");
     std::vector<Assignment> result;
     visit_table(spec_.base, table, "", path_.string(), [&](const Param& param, const TomlNode& node) {
       const Value value = value_from_toml(param, node, at(node), path_.parent_path().string());
@@ -235,7 +267,9 @@ class SpecReader {
         const Param varied = find_param(spec_.base, axis.key, axis.key);
         // A whole vector may be set under an axis over one of its components: the others take the new values.
         const bool is_lost = varied.overlaps(set) && (varied.component < 0 || set.component >= 0);
-        if (is_lost) throw input_error("--set " + assignment, "is what the study's axis varies", "edit the axis in " + path_.string());
+        if (is_lost)
+          throw input_error("--set " + assignment, "is what the study's axis varies",
+                            "edit the axis in " + path_.string());
       }
     }
   }
@@ -243,9 +277,12 @@ class SpecReader {
   void check_count() const {
     double count = 1;
     for (const Axis& axis : spec_.axes) count *= static_cast<double>(axis.values.size());
-    if (count > kMaxCells) throw input_error(path_.string(), fmt::format("{:.0f} cells", count), "at most " + with_commas(kMaxCells));
+    if (count > kMaxCells)
+      throw input_error(path_.string(), fmt::format("{:.0f} cells", count),
+                        "at most " + with_commas(kMaxCells));
     const TomlNode* variants = document_.find("variant");
-    if (variants != nullptr && variants->items.empty()) throw input_error(at(*variants), "an empty list of variants");
+    if (variants != nullptr && variants->items.empty())
+      throw input_error(at(*variants), "an empty list of variants");
     const TomlNode* axes = document_.find("axis");
     if (axes != nullptr && axes->items.empty()) throw input_error(at(*axes), "an empty list of axes");
   }
@@ -284,7 +321,8 @@ StudySpec load_spec(const fs::path& path, const std::vector<std::string>& assign
   return parse_spec(read_file(path), path, assignments);
 }
 
-StudySpec parse_spec(const std::string& text, const fs::path& name, const std::vector<std::string>& assignments) {
+StudySpec parse_spec(const std::string& text, const fs::path& name,
+                     const std::vector<std::string>& assignments) {
   return SpecReader(text, name).read(assignments);
 }
 
@@ -344,9 +382,11 @@ void check_cells(const StudySpec& spec) {
 std::string label_text(const Value& value) {
   if (const auto* real = std::get_if<float>(&value)) return fmt::format("{:.4g}", *real);
   if (const auto* text = std::get_if<std::string>(&value)) return fs::path(*text).filename().string();
-  if (const auto* vector = std::get_if<glm::vec3>(&value)) return fmt::format("{:.4g}, {:.4g}, {:.4g}", vector->x, vector->y, vector->z);
+  if (const auto* vector = std::get_if<glm::vec3>(&value))
+    return fmt::format("{:.4g}, {:.4g}, {:.4g}", vector->x, vector->y, vector->z);
   if (const auto* ramp = std::get_if<Ramp>(&value)) {
-    return ramp->image.empty() ? fmt::format("{} stops", ramp->stops.size()) : fs::path(ramp->image).filename().string();
+    return ramp->image.empty() ? fmt::format("{} stops", ramp->stops.size())
+                               : fs::path(ramp->image).filename().string();
   }
   return to_text(value);
 }

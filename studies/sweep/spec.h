@@ -1,5 +1,5 @@
-// A study's spec: base settings, what varies (axes or named variants), what each cell shows. Read from TOML and
-// validated whole: a spec that was read has only cells that can be started.
+// A study's spec: base settings, what varies (axes or named variants), what each cell shows. Read from TOML
+// and validated whole: a spec that was read has only cells that can be started.
 #pragma once
 
 #include <filesystem>
@@ -29,12 +29,12 @@ struct Variant {
 
 struct StudySpec {
   std::filesystem::path path;
-  std::string text;     ///< The file's content.
+  std::string text;  ///< The file's content.
   std::string title;
   std::string purpose;  ///< One line for `inkbench study list`.
   Settings base;
   std::vector<BufferName> show;
-  std::vector<Axis> axes;         ///< Columns, rows, pages: at most three; empty where there are variants.
+  std::vector<Axis> axes;  ///< Columns, rows, pages: at most three; empty where there are variants.
   std::vector<Variant> variants;
 };
 
@@ -46,12 +46,14 @@ struct Cell {
   std::vector<Assignment> set;
 };
 
-/// Errors (input): file:line for broken TOML, unknown keys, values that the parameter does not accept, axes without
-/// values, missing files; the cell whose settings contradict each other. `assignments` are `--set` texts on top of [set].
+/// Errors (input): file:line for broken TOML, unknown keys, values that the parameter does not accept, axes
+/// without values, missing files; the cell whose settings contradict each other. `assignments` are `--set`
+/// texts on top of [set].
 StudySpec load_spec(const std::filesystem::path& path, const std::vector<std::string>& assignments = {});
 
 /// The same from text; `name` stands for the file in errors.
-StudySpec parse_spec(const std::string& text, const std::filesystem::path& name, const std::vector<std::string>& assignments);
+StudySpec parse_spec(const std::string& text, const std::filesystem::path& name,
+                     const std::vector<std::string>& assignments);
 
 size_t cell_count(const StudySpec& spec);
 Cell make_cell(const StudySpec& spec, size_t index);
@@ -59,7 +61,8 @@ Cell make_cell(const StudySpec& spec, size_t index);
 /// Base plus the cell's overrides.
 Settings cell_settings(const StudySpec& spec, const Cell& cell);
 
-/// Checks every cell's settings and that the files they name exist. Errors (input): the first cell that is wrong.
+/// Checks every cell's settings and that the files they name exist. Errors (input): the first cell that is
+/// wrong.
 void check_cells(const StudySpec& spec);
 
 /// A value for labels: numbers with at most four digits, texts without quotes, file names without folders.

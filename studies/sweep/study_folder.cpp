@@ -30,7 +30,8 @@ std::vector<std::string> varied_keys(const StudySpec& spec) {
 /// Whether a file in cells/ is named as a study's cell: "0001_final.png".
 bool is_cell_name(const std::string& name) {
   const size_t digits = name.find_first_not_of("0123456789");
-  if (digits == std::string::npos || digits < 4 || name[digits] != '_' || !name.ends_with(".png")) return false;
+  if (digits == std::string::npos || digits < 4 || name[digits] != '_' || !name.ends_with(".png"))
+    return false;
   const std::string buffer = name.substr(digits + 1, name.size() - digits - 5);
   return std::find(kBufferNames.begin(), kBufferNames.end(), buffer) != kBufferNames.end();
 }
@@ -78,7 +79,9 @@ std::string StudyFolder::cell_file(size_t index, BufferName buffer) const {
 
 bool StudyFolder::names_its_files(const CellRecord& record) const {
   return std::equal(record.files.begin(), record.files.end(), spec_.show.begin(), spec_.show.end(),
-                    [&](const FileRecord& file, BufferName buffer) { return file.name == cell_file(record.index, buffer); });
+                    [&](const FileRecord& file, BufferName buffer) {
+                      return file.name == cell_file(record.index, buffer);
+                    });
 }
 
 std::string StudyFolder::header() const {
@@ -91,7 +94,8 @@ std::string StudyFolder::header() const {
   return csv_line(fields);
 }
 
-std::string StudyFolder::row(size_t index, const std::vector<std::string>& numbers, const std::string& error) const {
+std::string StudyFolder::row(size_t index, const std::vector<std::string>& numbers,
+                             const std::string& error) const {
   const Cell cell = make_cell(spec_, index);
   Settings settings = cell_settings(spec_, cell);
   std::vector<std::string> fields{std::to_string(index + 1)};
@@ -112,7 +116,8 @@ std::string StudyFolder::data_text() const {
   return text;
 }
 
-/// Removes the pictures of cells that are not done, and temporary files. Only names that a study gives are touched.
+/// Removes the pictures of cells that are not done, and temporary files. Only names that a study gives are
+/// touched.
 void StudyFolder::remove_stale_files() const {
   remove_abandoned_files(folder_);
   remove_abandoned_files(folder_ / "cells");
@@ -142,13 +147,15 @@ void StudyFolder::append(const fs::path& path, const std::string& line) const {
   const int number = errno;
   if (descriptor >= 0) close(descriptor);
   if (written != static_cast<ssize_t>(line.size())) {
-    throw work_error(path.string(), "a row could not be added: " + std::string(std::strerror(written < 0 ? number : ENOSPC)));
+    throw work_error(path.string(), "a row could not be added: " +
+                                        std::string(std::strerror(written < 0 ? number : ENOSPC)));
   }
 }
 
 void StudyFolder::add(size_t index, std::vector<std::string> numbers) {
   CellRecord record{index, keys_[index].text(), std::move(numbers), {}};
-  for (const BufferName buffer : spec_.show) record.files.push_back(record_file(folder_, cell_file(index, buffer)));
+  for (const BufferName buffer : spec_.show)
+    record.files.push_back(record_file(folder_, cell_file(index, buffer)));
   const std::lock_guard lock(mutex_);
   append(folder_ / "data.csv", row(index, record.numbers, ""));
   append(folder_ / "journal.jsonl", journal_line(record));

@@ -17,8 +17,9 @@ const std::vector<std::string>& number_columns();
 
 class StudyFolder {
  public:
-  /// `keys[i]` is cell i's key now. Reads the journal, drops every cell whose key or files are not what it says,
-  /// with its files and what a killed run left unfinished, and starts journal and data.csv anew with the rest. Errors (work): the folder cannot be written.
+  /// `keys[i]` is cell i's key now. Reads the journal, drops every cell whose key or files are not what it
+  /// says, with its files and what a killed run left unfinished, and starts journal and data.csv anew with
+  /// the rest. Errors (work): the folder cannot be written.
   StudyFolder(const StudySpec& spec, std::filesystem::path folder, std::vector<Key> keys, bool fresh);
 
   bool is_done(size_t index) const;
@@ -28,11 +29,13 @@ class StudyFolder {
   /// "cells/0001_final.png", relative to the folder.
   std::string cell_file(size_t index, BufferName buffer) const;
 
-  /// Appends a finished cell to journal and data.csv. Its files are on the disk already. Safe from any thread.
+  /// Appends a finished cell to journal and data.csv. Its files are on the disk already. Safe from any
+  /// thread.
   void add(size_t index, std::vector<std::string> numbers);
   void add_failure(size_t index, const std::string& message);
 
-  /// Writes journal and data.csv once more in the grid's order, so that they do not tell in which order cells ended.
+  /// Writes journal and data.csv once more in the grid's order, so that they do not tell in which order cells
+  /// ended.
   void finish();
 
  private:

@@ -89,7 +89,9 @@ std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const
     return picture;
   };
   remove_grids(folder.path());
-  const ImageText text{{"Software", "inkbench " INKBENCH_VERSION}, {"inkbench:version", INKBENCH_VERSION}, {"inkbench:spec", spec.text}};
+  const ImageText text{{"Software", "inkbench " INKBENCH_VERSION},
+                       {"inkbench:version", INKBENCH_VERSION},
+                       {"inkbench:spec", spec.text}};
   return write_grid(folder.path(), layout, cell_picture, text);
 }
 

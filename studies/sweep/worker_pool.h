@@ -1,5 +1,5 @@
-// Threads that take work from a bounded queue: encoding overlaps drawing, and memory does not grow when encoding is
-// the slower one.
+// Threads that take work from a bounded queue: encoding overlaps drawing, and memory does not grow when
+// encoding is the slower one.
 #pragma once
 
 #include <condition_variable>
