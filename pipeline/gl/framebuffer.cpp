@@ -23,6 +23,12 @@ RenderTarget::RenderTarget(std::initializer_list<const Texture*> colours, const 
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDisable(GL_SCISSOR_TEST);
+  glCullFace(GL_BACK);
+  glFrontFace(GL_CCW);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);  // clearing obeys it, too
+  glDepthFunc(GL_LESS);
   (depth != nullptr ? glEnable : glDisable)(GL_DEPTH_TEST);
 }
 

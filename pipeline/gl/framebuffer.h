@@ -10,7 +10,8 @@ namespace inkbench {
 class RenderTarget {
  public:
   /// Colour textures in the order of the shader's outputs, and a depth texture or nullptr; all of one size.
-  /// Sets the viewport and switches depth testing on exactly when there is a depth texture.
+  /// Sets the viewport and, whatever others left, all state that decides what is drawn: depth testing exactly
+  /// when there is a depth texture; no culling, blending, scissor or masks.
   RenderTarget(std::initializer_list<const Texture*> colours, const Texture* depth);
   RenderTarget(const RenderTarget&) = delete;
   RenderTarget& operator=(const RenderTarget&) = delete;

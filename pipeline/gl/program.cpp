@@ -34,10 +34,15 @@ std::string resource_name(GLuint program, GLenum kind, GLint index) {
   return name.data();
 }
 
-GLint place_of(const std::string& name, const std::vector<std::string>& known, const std::string& shader) {
+GLint place_of(const std::string& name, const std::vector<std::string>& known,
+               std::span<const ShaderSource* const> sources) {
   const auto found = std::find(known.begin(), known.end(), name);
   if (found != known.end()) return static_cast<GLint>(found - known.begin());
-  throw input_error("shaders/" + shader, "nothing supplies '" + name + "'",
+  std::string where;
+  for (const ShaderSource* source : sources) {
+    if (where.empty()) where = find_word(*source, name);
+  }
+  throw input_error(where, "nothing supplies '" + name + "'",
                     "put it into a described parameter group, or remove it");
 }
 
@@ -58,6 +63,7 @@ bool Program::reload_if_changed(const GeneratedSources& generated) {
   file_times_ = times;  // an error is told once, not every frame
   const ShaderSource vertex = expand_shader(vertex_name_, generated);
   const ShaderSource fragment = expand_shader(fragment_name_, generated);
+  watch(vertex, fragment);  // before linking: mending a file that the broken edit includes counts
   Name fresh = link(vertex, fragment);
   name_ = std::move(fresh);
   remember(vertex, fragment);
@@ -80,12 +86,13 @@ Program::Name Program::link(const ShaderSource& vertex, const ShaderSource& frag
     discard_gl_errors();
     throw input_error("shaders/" + fragment_name_, log.data());
   }
-  bind_samplers(program.id());
-  bind_blocks(program.id());
+  const ShaderSource* const sources[] = {&vertex, &fragment};
+  bind_samplers(program.id(), sources);
+  bind_blocks(program.id(), sources);
   return program;
 }
 
-void Program::bind_samplers(GLuint program) const {
+void Program::bind_samplers(GLuint program, std::span<const ShaderSource* const> sources) const {
   GLint count = 0;
   glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
   for (GLint i = 0; i < count; ++i) {
@@ -94,22 +101,25 @@ void Program::bind_samplers(GLuint program) const {
     glGetProgramResourceiv(program, GL_UNIFORM, i, 2, properties, 2, nullptr, values);
     if (values[0] >= 0) continue;
     const std::string name = resource_name(program, GL_UNIFORM, i);
-    glProgramUniform1i(program, values[1], place_of(name, inputs_.samplers, fragment_name_));
+    glProgramUniform1i(program, values[1], place_of(name, inputs_.samplers, sources));
   }
 }
 
-void Program::bind_blocks(GLuint program) const {
+void Program::bind_blocks(GLuint program, std::span<const ShaderSource* const> sources) const {
   GLint count = 0;
   glGetProgramInterfaceiv(program, GL_UNIFORM_BLOCK, GL_ACTIVE_RESOURCES, &count);
   for (GLint i = 0; i < count; ++i) {
     const std::string name = resource_name(program, GL_UNIFORM_BLOCK, i);
-    glUniformBlockBinding(program, i,
-                          static_cast<GLuint>(place_of(name, inputs_.uniform_blocks, fragment_name_)));
+    glUniformBlockBinding(program, i, static_cast<GLuint>(place_of(name, inputs_.uniform_blocks, sources)));
   }
 }
 
 void Program::remember(const ShaderSource& vertex, const ShaderSource& fragment) {
   key_ = KeyBuilder().add(vertex.key).add(fragment.key).key();
+  watch(vertex, fragment);
+}
+
+void Program::watch(const ShaderSource& vertex, const ShaderSource& fragment) {
   files_ = vertex.files;
   files_.insert(files_.end(), fragment.files.begin(), fragment.files.end());
   file_times_ = changes();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,9 +40,10 @@ class Program {
   using Name = GlName<&Program::destroy>;
 
   Name link(const ShaderSource& vertex, const ShaderSource& fragment) const;
-  void bind_samplers(GLuint program) const;
-  void bind_blocks(GLuint program) const;
+  void bind_samplers(GLuint program, std::span<const ShaderSource* const> sources) const;
+  void bind_blocks(GLuint program, std::span<const ShaderSource* const> sources) const;
   void remember(const ShaderSource& vertex, const ShaderSource& fragment);
+  void watch(const ShaderSource& vertex, const ShaderSource& fragment);
   Key changes() const;
 
   std::string vertex_name_, fragment_name_;

@@ -81,6 +81,25 @@ ShaderSource expand_shader(const std::string& name, const GeneratedSources& gene
   return expander.finish();
 }
 
+std::string find_word(const ShaderSource& source, const std::string& word) {
+  static const std::regex kLineDirective(R"(^#line (\d+) (\d+)$)");
+  const std::regex whole_word("\\b" + word.substr(0, word.find('[')) +
+                              "\\b");  // arrays are reported as "name[0]"
+  std::istringstream lines(source.text);
+  std::string line;
+  size_t file = 0;
+  for (size_t number = 1; std::getline(lines, line); ++number) {
+    std::smatch match;
+    if (std::regex_match(line, match, kLineDirective)) {
+      number = std::stoul(match[1]) - 1;
+      file = std::stoul(match[2]);
+    } else if (std::regex_search(line.substr(0, line.find("//")), whole_word)) {
+      return fmt::format("shaders/{}:{}", source.names[file], number);
+    }
+  }
+  return "";
+}
+
 std::string name_log_lines(const std::string& log, const std::vector<std::string>& names) {
   static const std::regex kPlace(R"(^(\d+)(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*)");
   std::istringstream lines(log);

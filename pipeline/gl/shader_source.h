@@ -25,6 +25,10 @@ struct ShaderSource {
 /// with the including file and line.
 ShaderSource expand_shader(const std::string& name, const GeneratedSources& generated);
 
+/// "shaders/FILE:LINE" where the word first stands in the expanded text, comments not counted; "" where it
+/// does not.
+std::string find_word(const ShaderSource& source, const std::string& word);
+
 /// A compiler's log with the index at the start of each line replaced by its file's name
 /// ("2:14(3): error" and "2(14) : error" both become "lib/edges.glsl:14: error").
 std::string name_log_lines(const std::string& log, const std::vector<std::string>& names);

@@ -129,13 +129,17 @@ TomlNode bare_text(const Param& param, const std::string& word, const std::strin
   }
 }
 
-void check_number(const Field& field, const std::string& key, double number, const std::string& where) {
-  if (std::isfinite(number) && number >= field.limits.low && number <= field.limits.high) return;
+/// `Number`: int or float, shown as it is.
+template <class Number>
+void check_number(const Field& field, const std::string& key, Number number, const std::string& where) {
+  const double value = number;
+  if (std::isfinite(value) && value >= field.limits.low && value <= field.limits.high) return;
   // Limits are written as decimals and values are floats: a value that prints like the limit is the limit.
   const auto same = [&](double limit) { return static_cast<float>(number) == static_cast<float>(limit); };
   if (same(field.limits.low) || same(field.limits.high)) return;
-  throw input_error(where, fmt::format("{} = {} is out of range", key, shortest(static_cast<float>(number))),
-                    "it must be " + accepted(field, 0));
+  const int component = std::is_same_v<Number, float> ? 0 : -1;
+  throw input_error(where, fmt::format("{} = {} is out of range", key, to_text(Value(number))),
+                    "it must be " + accepted(field, component));
 }
 
 void check_choice(const Field& field, const std::string& key, const std::string& name,
@@ -213,6 +217,7 @@ Value value_from_text(const Param& param, const std::string& text, const std::st
   try {
     parsed = parse_toml("value = " + (is_list && is_vector ? "[" + trimmed + "]" : trimmed), where);
   } catch (const Error&) {
+    if (type == FieldType::ramp && trimmed.starts_with('[')) throw;  // a mistyped list of stops is no image's name
     return value_from_toml(param, bare, where, ".");
   }
   const TomlNode* node = parsed.entries.size() == 1 ? parsed.find("value") : nullptr;

@@ -64,8 +64,6 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
   glClearBufferfv(GL_COLOR, 0, kNoNormalAndFar.data());
   glClearBufferfv(GL_COLOR, 1, kNoId.data());
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_TRUE);
   program_.use();
   const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
   const glm::mat4 world_to_clip = projection_matrix(camera, aspect) * view_matrix(camera);

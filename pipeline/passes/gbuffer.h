@@ -14,7 +14,7 @@ struct GBuffer {
   Texture normal_and_depth;  ///< rgba32f: 0.5 N + 0.5 in world space, (0.5, 0.5, 0.5) where no model is;
                              ///< alpha: linear depth / far, 1 where no model is. One texture, since the
                              ///< gradient reads both.
-  Texture object_id;  ///< r32f: 0 where no model is.
+  Texture object_id;         ///< r32f: 0 where no model is.
 };
 
 /// One model to draw.

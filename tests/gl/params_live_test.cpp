@@ -95,11 +95,12 @@ std::vector<std::string> all_keys(Settings settings) {
   std::vector<std::string> keys;
   for (const Param& param : list_params(settings)) {
     const bool is_colour = param.field->type == FieldType::colour;
-    if (!is_colour && param.field->type != FieldType::vector)
-      keys.push_back(param.key);
-    else
+    if (is_colour || param.field->type == FieldType::vector) {
       for (const char component : std::string(is_colour ? "rgb" : "xyz"))
         keys.push_back(param.key + "." + component);
+    } else {
+      keys.push_back(param.key);
+    }
   }
   return keys;
 }
@@ -120,16 +121,11 @@ bool differ(const Image& a, const Image& b) {
 class ParamsLive : public testing::Test {
  protected:
   ParamsLive() {
-    first_mesh_ =
-        folder_
-            .write("first.obj",
-                   "v 0 0 0\nv 1 0 0.2\nv 0.1 1.3 0\nv 0.3 0.2 0.9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
-            .string();
-    other_mesh_ =
-        folder_
-            .write("other.obj",
-                   "v 0 0 0\nv 0.8 0.1 0\nv 0.2 1 0.1\nv 0.5 0.4 1.2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
-            .string();
+    const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    const std::string first = "v 0 0 0\nv 1 0 0.2\nv 0.1 1.3 0\nv 0.3 0.2 0.9\n";
+    const std::string other = "v 0 0 0\nv 0.8 0.1 0\nv 0.2 1 0.1\nv 0.5 0.4 1.2\n";
+    first_mesh_ = folder_.write("first.obj", first + faces).string();
+    other_mesh_ = folder_.write("other.obj", other + faces).string();
     rich_ = make_rich_scene();
   }
 
