@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -49,8 +50,26 @@ const std::vector<std::string>& number_columns() {
   return kColumns;
 }
 
+FolderLock::FolderLock(const fs::path& folder) {
+  make_folder(folder);
+  descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(descriptor_);
+    throw work_error(folder.string(), "another run is writing to this folder",
+                     "wait for it, or give another folder with --out");
+  }
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
 StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Key> keys, bool fresh)
-    : spec_(spec), folder_(std::move(folder)), keys_(std::move(keys)), varied_(varied_keys(spec)) {
+    : spec_(spec),
+      folder_(std::move(folder)),
+      lock_(folder_),
+      keys_(std::move(keys)),
+      varied_(varied_keys(spec)) {
   make_folder(folder_ / "cells");
   if (!fresh) done_ = read_journal(folder_ / "journal.jsonl");
   std::erase_if(done_, [&](const auto& entry) {

@@ -15,6 +15,19 @@ namespace inkbench {
 /// The numbers of a cell in data.csv, in order: names of columns.
 const std::vector<std::string>& number_columns();
 
+/// Keeps a second run out of a folder for as long as it lives; the system lifts it when a run is killed.
+class FolderLock {
+ public:
+  /// Makes the folder. Errors (work): another run holds it, or it cannot be made.
+  explicit FolderLock(const std::filesystem::path& folder);
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock();
+
+ private:
+  int descriptor_;
+};
+
 class StudyFolder {
  public:
   /// `keys[i]` is cell i's key now. Reads the journal, drops every cell whose key or files are not what it
@@ -50,6 +63,7 @@ class StudyFolder {
 
   const StudySpec& spec_;
   std::filesystem::path folder_;
+  FolderLock lock_;
   std::vector<Key> keys_;
   std::vector<std::string> varied_;  ///< Keys that cells set, in order of first use.
   std::map<size_t, CellRecord> done_;

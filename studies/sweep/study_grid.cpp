@@ -60,11 +60,9 @@ void paste(Picture& target, const Picture& source, int x) {
   }
 }
 
-/// An earlier run may have needed more pages.
-void remove_grids(const std::filesystem::path& folder) {
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("grid") && name.ends_with(".png")) std::filesystem::remove(entry.path());
+/// An earlier run may have needed more pages: grid_2.png, grid_3.png, ... without a gap.
+void remove_further_pages(const std::filesystem::path& folder) {
+  for (int page = 2; std::filesystem::remove(folder / ("grid_" + std::to_string(page) + ".png")); ++page) {
   }
 }
 
@@ -88,7 +86,7 @@ std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const
     }
     return picture;
   };
-  remove_grids(folder.path());
+  remove_further_pages(folder.path());
   const ImageText text{{"Software", "inkbench " INKBENCH_VERSION},
                        {"inkbench:version", INKBENCH_VERSION},
                        {"inkbench:spec", spec.text}};

@@ -1,4 +1,5 @@
-// Meshes that are broken: what cannot be drawn is a clear error, what can be drawn is drawn and the rest is noted.
+// Meshes that are broken: what cannot be drawn is a clear error, what can be drawn is drawn and the rest is
+// noted.
 #include "pipeline/image/image_file.h"
 #include "tests/cli/cli_test.h"
 #include "tests/cli/mesh_text.h"
@@ -14,7 +15,8 @@ class BadMesh : public CliTest {
     return inkbench({"render", "--mesh", mesh, "--out", "out", "--size", "32x32"});
   }
   /// Expects exit status 2, a message with the file and the words, and no image.
-  void expect_refused(const std::string& name, const std::string& content, std::vector<std::string> words = {}) const {
+  void expect_refused(const std::string& name, const std::string& content,
+                      std::vector<std::string> words = {}) const {
     write(name, content);
     words.push_back(name);
     fs::remove_all(file("out"));
@@ -48,11 +50,13 @@ TEST_F(BadMesh, unknown_extension_names_the_formats) {
 }
 
 TEST_F(BadMesh, empty_file_is_refused) {
-  for (const std::string extension : {".obj", ".ply", ".off", ".stl"}) expect_refused("empty" + extension, "", {"is empty"});
+  for (const std::string extension : {".obj", ".ply", ".off", ".stl"})
+    expect_refused("empty" + extension, "", {"is empty"});
 }
 
 TEST_F(BadMesh, binary_junk_is_refused) {
-  for (const std::string extension : {".obj", ".ply", ".off", ".stl"}) expect_refused("junk" + extension, junk(5000));
+  for (const std::string extension : {".obj", ".ply", ".off", ".stl"})
+    expect_refused("junk" + extension, junk(5000));
 }
 
 TEST_F(BadMesh, truncated_file_is_refused) {
@@ -98,14 +102,17 @@ TEST_F(BadMesh, isolated_vertices_neither_draw_nor_change_the_size) {
 }
 
 TEST_F(BadMesh, non_manifold_edges_are_drawn) {
-  expect_noted("fan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n", "non-manifold");
+  expect_noted("fan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n",
+               "non-manifold");
 }
 
 TEST_F(BadMesh, scene_that_names_a_missing_mesh_says_where) {
   write("scene.toml", small_scene() + "[[model]]\nname = \"lost\"\nmesh = \"lost.ply\"\n");
-  EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "scene.toml", "--out", "out"}), {"lost.ply", "no such file"}));
+  EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "scene.toml", "--out", "out"}),
+                             {"lost.ply", "no such file"}));
   write("study.toml", "scene = \"scene.toml\"\n");
-  EXPECT_TRUE(is_input_error(inkbench({"study", "study.toml", "--out", "out"}), {"model.lost.mesh", "lost.ply"}));
+  EXPECT_TRUE(
+      is_input_error(inkbench({"study", "study.toml", "--out", "out"}), {"model.lost.mesh", "lost.ply"}));
 }
 
 }  // namespace

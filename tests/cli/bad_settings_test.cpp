@@ -1,4 +1,5 @@
-// Scene files, `--set` and `--size` that are wrong: one message with the place, the value and what would be right.
+// Scene files, `--set` and `--size` that are wrong: one message with the place, the value and what would be
+// right.
 #include "tests/cli/cli_test.h"
 
 namespace inkbench {
@@ -10,25 +11,30 @@ class BadSettings : public CliTest {
 
   void expect_scene_refused(const std::string& content, const std::vector<std::string>& words) const {
     write("bad.toml", content);
-    EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "bad.toml", "--out", "out"}), words)) << content;
+    EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "bad.toml", "--out", "out"}), words))
+        << content;
     EXPECT_FALSE(fs::exists(file("out")));
   }
   void expect_set_refused(const std::string& assignment, const std::vector<std::string>& words) const {
-    EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "scene.toml", "--out", "out", "--set", assignment}), words));
+    EXPECT_TRUE(is_input_error(
+        inkbench({"render", "--scene", "scene.toml", "--out", "out", "--set", assignment}), words));
     EXPECT_TRUE(!fs::exists(file("out")) || fs::is_empty(file("out")));
   }
   void expect_size_refused(const std::string& size, const std::vector<std::string>& words) const {
-    EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "scene.toml", "--out", "out", "--size", size}), words));
+    EXPECT_TRUE(
+        is_input_error(inkbench({"render", "--scene", "scene.toml", "--out", "out", "--size", size}), words));
     EXPECT_TRUE(!fs::exists(file("out")) || fs::is_empty(file("out")));
   }
 };
 
 TEST_F(BadSettings, missing_scene_is_named) {
-  EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "none.toml", "--out", "out"}), {"none.toml", "no such file"}));
+  EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "none.toml", "--out", "out"}),
+                             {"none.toml", "no such file"}));
 }
 
 TEST_F(BadSettings, unknown_key_suggests_the_nearest) {
-  expect_scene_refused("[combine]\nk_depht = 0.1\n", {"bad.toml:2", "combine.k_depht", "did you mean 'combine.k_depth'?"});
+  expect_scene_refused("[combine]\nk_depht = 0.1\n",
+                       {"bad.toml:2", "combine.k_depht", "did you mean 'combine.k_depth'?"});
   expect_scene_refused("[combin]\nk_depth = 0.1\n", {"bad.toml:2", "combin.k_depth", "'combine.k_depth'"});
   expect_set_refused("combine.kdepth=0.1", {"--set", "combine.kdepth", "did you mean 'combine.k_depth'?"});
   expect_set_refused("model.boxx.size=1", {"model.boxx.size", "'model.box.size'"});
@@ -55,7 +61,8 @@ TEST_F(BadSettings, value_out_of_range_says_the_range) {
 TEST_F(BadSettings, duplicate_key_is_an_error) {
   expect_scene_refused("[combine]\nk_depth = 0.1\nk_depth = 0.2\n", {"bad.toml:3", "k_depth"});
   expect_scene_refused("[combine]\nk_depth = 0.1\n[combine]\nk_normal = 0.2\n", {"bad.toml:3", "combine"});
-  expect_scene_refused("[[model]]\nname = \"a\"\nshape = \"box\"\n[[model]]\nname = \"a\"\n", {"bad.toml:4", "'a'"});
+  expect_scene_refused("[[model]]\nname = \"a\"\nshape = \"box\"\n[[model]]\nname = \"a\"\n",
+                       {"bad.toml:4", "'a'"});
 }
 
 TEST_F(BadSettings, broken_toml_says_the_line) {
@@ -84,7 +91,8 @@ TEST_F(BadSettings, missing_or_broken_ramp_image_is_named) {
   expect_set_refused("ramp.diffuse=lost.png", {"lost.png"});
   expect_set_refused("ramp.diffuse=broken.png", {"broken.png"});
   write("study.toml", "scene = \"scene.toml\"\n[set]\nramp.specular = \"lost.png\"\n");
-  EXPECT_TRUE(is_input_error(inkbench({"study", "study.toml", "--out", "out"}), {"ramp.specular", "lost.png"}));
+  EXPECT_TRUE(
+      is_input_error(inkbench({"study", "study.toml", "--out", "out"}), {"ramp.specular", "lost.png"}));
 }
 
 TEST_F(BadSettings, camera_that_sees_nothing_is_refused) {
@@ -119,7 +127,8 @@ TEST_F(BadSettings, size_beyond_the_renderers_limit_names_the_limit) {
 TEST_F(BadSettings, renderer_that_does_not_exist_names_the_choices) {
   CommandOptions options;
   options.environment["INKBENCH_RENDERER"] = "vulkan";
-  EXPECT_TRUE(is_input_error(inkbench({"info"}, options), {"INKBENCH_RENDERER", "vulkan", "auto, gpu, software"}));
+  EXPECT_TRUE(
+      is_input_error(inkbench({"info"}, options), {"INKBENCH_RENDERER", "vulkan", "auto, gpu, software"}));
 }
 
 TEST_F(BadSettings, missing_egl_names_the_packages) {

@@ -17,23 +17,28 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::string summary(const CommandResult& result) {
   std::ostringstream text;
-  text << "status " << result.status << ", signal " << result.signal << (result.timed_out ? ", timed out" : "") << "\nstdout: "
-       << result.out.substr(0, 2000) << "\nstderr: " << result.err.substr(0, 4000);
+  text << "status " << result.status << ", signal " << result.signal
+       << (result.timed_out ? ", timed out" : "") << "\nstdout: " << result.out.substr(0, 2000)
+       << "\nstderr: " << result.err.substr(0, 4000);
   return text.str();
 }
 
-testing::AssertionResult is_error(const CommandResult& result, int status, const std::vector<std::string>& words) {
-  if (result.status != status) return testing::AssertionFailure() << "status " << status << " expected\n" << summary(result);
+testing::AssertionResult is_error(const CommandResult& result, int status,
+                                  const std::vector<std::string>& words) {
+  if (result.status != status)
+    return testing::AssertionFailure() << "status " << status << " expected\n" << summary(result);
   std::string error;
   for (const std::string& line : lines_of(result.err)) {
     if (line.starts_with("inkbench: note: ")) continue;
-    if (!line.starts_with("inkbench: error: ")) return testing::AssertionFailure() << "an odd line\n" << summary(result);
+    if (!line.starts_with("inkbench: error: "))
+      return testing::AssertionFailure() << "an odd line\n" << summary(result);
     if (!error.empty()) return testing::AssertionFailure() << "more than one error line\n" << summary(result);
     error = line;
   }
   if (error.empty()) return testing::AssertionFailure() << "no error line\n" << summary(result);
   for (const std::string& word : words) {
-    if (error.find(word) == std::string::npos) return testing::AssertionFailure() << "'" << word << "' is missing\n" << summary(result);
+    if (error.find(word) == std::string::npos)
+      return testing::AssertionFailure() << "'" << word << "' is missing\n" << summary(result);
   }
   return testing::AssertionSuccess();
 }
@@ -42,8 +47,8 @@ testing::AssertionResult is_error(const CommandResult& result, int status, const
 
 CliTest::CliTest() {
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = fs::path(testing::TempDir()) / (std::string("inkbench_") + test.test_suite_name() + "_" + test.name() + "_" +
-                                            std::to_string(getpid()));
+  folder_ = fs::path(testing::TempDir()) / (std::string("inkbench_") + test.test_suite_name() + "_" +
+                                            test.name() + "_" + std::to_string(getpid()));
   fs::remove_all(folder_);
   fs::create_directories(folder_);
   folder_ = fs::canonical(folder_);
@@ -82,7 +87,8 @@ std::string content_of(const fs::path& path) {
 FolderContent folder_content(const fs::path& folder) {
   FolderContent content;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) content[fs::relative(entry.path(), folder).string()] = content_of(entry.path());
+    if (entry.is_regular_file())
+      content[fs::relative(entry.path(), folder).string()] = content_of(entry.path());
   }
   return content;
 }
@@ -97,7 +103,8 @@ std::vector<std::string> unfinished_files(const fs::path& folder) {
 }
 
 testing::AssertionResult succeeds(const CommandResult& result) {
-  if (result.status == 0 && result.err.find("error:") == std::string::npos) return testing::AssertionSuccess();
+  if (result.status == 0 && result.err.find("error:") == std::string::npos)
+    return testing::AssertionSuccess();
   return testing::AssertionFailure() << summary(result);
 }
 

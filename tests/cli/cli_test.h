@@ -1,5 +1,5 @@
-// What the command line's tests share: a temporary folder for each test, `inkbench` run in it, and what a success, a
-// bad input and a failed piece of work look like from outside.
+// What the command line's tests share: a temporary folder for each test, `inkbench` run in it, and what a
+// success, a bad input and a failed piece of work look like from outside.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -50,8 +50,8 @@ testing::AssertionResult is_input_error(const CommandResult& result, const std::
 /// The same with exit status 1.
 testing::AssertionResult is_work_error(const CommandResult& result, const std::vector<std::string>& words);
 
-/// A scene without the rabbit, quick to draw and the same in no direction: a turned box to the lower left, a ball to the
-/// upper right, in front of a plane that the camera sees under an angle. 64 x 48 px.
+/// A scene without the rabbit, quick to draw and the same in no direction: a turned box to the lower left, a
+/// ball to the upper right, in front of a plane that the camera sees under an angle. 64 x 48 px.
 std::string small_scene();
 
 }  // namespace inkbench

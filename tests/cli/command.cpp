@@ -27,7 +27,8 @@ Pipe make_pipe() {
   return {ends[0], ends[1]};
 }
 
-[[noreturn]] void become(const std::vector<std::string>& command, const CommandOptions& options, int out, int err) {
+[[noreturn]] void become(const std::vector<std::string>& command, const CommandOptions& options, int out,
+                         int err) {
   setpgid(0, 0);
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
@@ -67,7 +68,8 @@ void watch(pid_t process, Pipe& out, Pipe& err, const CommandOptions& options, C
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const int signal = !signalled && options.signal_when ? options.signal_when(seconds) : 0;
     if (signal != 0) signalled = kill(process, signal) == 0;
-    if (seconds > options.time_limit_seconds && !result.timed_out) result.timed_out = kill(-process, SIGKILL) == 0;
+    if (seconds > options.time_limit_seconds && !result.timed_out)
+      result.timed_out = kill(-process, SIGKILL) == 0;
   }
 }
 

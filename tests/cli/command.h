@@ -1,5 +1,5 @@
-// Runs a program as a user would and keeps what it left: status, output, errors, peak memory. In: a command line and the
-// conditions it runs under. Out: a CommandResult; a program that hangs is killed and says so.
+// Runs a program as a user would and keeps what it left: status, output, errors, peak memory. In: a command
+// line and the conditions it runs under. Out: a CommandResult; a program that hangs is killed and says so.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ struct CommandOptions {
   std::map<std::string, std::string> environment;  ///< On top of the tests' own.
   std::optional<uint64_t> file_size_limit_bytes;   ///< As a full disk: no file can grow past it.
   double time_limit_seconds = 60;
-  /// Asked a few hundred times a second with the seconds since the start; a number other than 0 is sent as a signal, once.
+  /// Asked a few hundred times a second with the seconds since the start; a number other than 0 is sent as a
+  /// signal, once.
   std::function<int(double)> signal_when;
 };
 
@@ -30,7 +31,8 @@ struct CommandResult {
   double seconds = 0;
 };
 
-/// Standard input is empty; output and errors are pipes, not terminals. Throws std::system_error where no process can be made.
+/// Standard input is empty; output and errors are pipes, not terminals. Throws std::system_error where no
+/// process can be made.
 CommandResult run_command(const std::vector<std::string>& command, const CommandOptions& options = {});
 
 }  // namespace inkbench

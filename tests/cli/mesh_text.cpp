@@ -9,7 +9,8 @@
 namespace inkbench {
 namespace {
 
-constexpr std::array<std::array<int, 4>, 6> kCubeSides{{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+constexpr std::array<std::array<int, 4>, 6> kCubeSides{
+    {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
 
 /// Corner `i` of the unit cube: its bits are x, y and z.
 std::array<int, 3> cube_corner(int i) {
@@ -42,7 +43,8 @@ std::string cube_obj() {
     const auto [x, y, z] = cube_corner(i);
     text << "v " << x << ' ' << y << ' ' << z << '\n';
   }
-  for (const auto& s : kCubeSides) text << "f " << s[0] + 1 << ' ' << s[1] + 1 << ' ' << s[2] + 1 << ' ' << s[3] + 1 << '\n';
+  for (const auto& s : kCubeSides)
+    text << "f " << s[0] + 1 << ' ' << s[1] + 1 << ' ' << s[2] + 1 << ' ' << s[3] + 1 << '\n';
   return text.str();
 }
 
@@ -76,7 +78,8 @@ std::string cube_stl() {
 std::string wave_ply(int cells) {
   const int side = cells + 1;
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(side * side) +
-                      "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(2 * cells * cells) +
+                      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                      std::to_string(2 * cells * cells) +
                       "\nproperty list uchar int vertex_indices\nend_header\n";
   bytes.reserve(bytes.size() + 12 * size_t(side) * side + 26 * size_t(cells) * cells);
   for (int j = 0; j < side; ++j) {
@@ -90,7 +93,8 @@ std::string wave_ply(int cells) {
   for (int32_t j = 0; j < cells; ++j) {
     for (int32_t i = 0; i < cells; ++i) {
       const int32_t a = j * side + i;
-      for (const auto& triangle : {std::array{a, a + 1, a + side + 1}, std::array{a, a + side + 1, a + side}}) {
+      for (const auto& triangle :
+           {std::array{a, a + 1, a + side + 1}, std::array{a, a + side + 1, a + side}}) {
         append_raw(bytes, uint8_t{3});
         for (const int32_t index : triangle) append_raw(bytes, index);
       }

@@ -13,7 +13,8 @@ constexpr const char* kRabbit = "/usr/share/glmark2/models/bunny.obj";
 class RenderMesh : public CliTest {
  protected:
   Image object_ids(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"render", "--out", "out", "--buffers", "object_id", "--format", "exr", "--size", "256x256"});
+    arguments.insert(arguments.begin(), {"render", "--out", "out", "--buffers", "object_id", "--format",
+                                         "exr", "--size", "256x256"});
     EXPECT_TRUE(succeeds(inkbench(arguments)));
     return read_image(file("out/object_id.exr"));
   }
@@ -56,7 +57,8 @@ std::string moved_obj(const std::string& obj, double scale, double offset) {
     std::string kind;
     double x = 0, y = 0, z = 0;
     if (words >> kind >> x >> y >> z && kind == "v") {
-      result << "v " << x * scale + offset << ' ' << y * scale - offset << ' ' << z * scale + 2 * offset << '\n';
+      result << "v " << x * scale + offset << ' ' << y * scale - offset << ' ' << z * scale + 2 * offset
+             << '\n';
     } else {
       result << line << '\n';
     }
@@ -95,7 +97,8 @@ TEST_F(RenderMesh, each_format_draws_the_same_cube) {
 TEST_F(RenderMesh, relative_mesh_path_is_found_again_from_another_folder) {
   write("scene.toml", small_scene());
   write("cube.off", cube_off(1.0, 0.0));
-  ASSERT_TRUE(succeeds(inkbench({"render", "--scene", "scene.toml", "--mesh", "cube.off", "--out", "first"})));
+  ASSERT_TRUE(
+      succeeds(inkbench({"render", "--scene", "scene.toml", "--mesh", "cube.off", "--out", "first"})));
   fs::create_directories(file("elsewhere"));
   CommandOptions elsewhere;
   elsewhere.working_folder = file("elsewhere");
@@ -120,8 +123,10 @@ TEST_F(RenderMesh, rabbit_comes_from_the_environment) {
 TEST_F(RenderMesh, rabbit_that_the_environment_names_wrongly_is_an_error) {
   CommandOptions options;
   options.environment["INKBENCH_RABBIT"] = "/nowhere/rabbit.obj";
-  EXPECT_TRUE(is_input_error(inkbench({"render", "--out", "out"}, options), {"INKBENCH_RABBIT", "/nowhere/rabbit.obj"}));
-  EXPECT_TRUE(is_input_error(inkbench({"study", "figure_01", "--out", "out"}, options), {"INKBENCH_RABBIT", "/nowhere/rabbit.obj"}));
+  EXPECT_TRUE(is_input_error(inkbench({"render", "--out", "out"}, options),
+                             {"INKBENCH_RABBIT", "/nowhere/rabbit.obj"}));
+  EXPECT_TRUE(is_input_error(inkbench({"study", "figure_01", "--out", "out"}, options),
+                             {"INKBENCH_RABBIT", "/nowhere/rabbit.obj"}));
   EXPECT_TRUE(!fs::exists(file("out")) || fs::is_empty(file("out")));
 }
 
@@ -134,12 +139,14 @@ TEST_F(RenderMesh, scene_without_the_rabbit_does_not_need_it) {
 
 TEST_F(RenderMesh, million_faces_draw_in_under_a_gibibyte) {
   write("million.ply", wave_ply(708));
-  const CommandResult result = inkbench({"render", "--mesh", "million.ply", "--out", "out", "--size", "512x512"});
+  const CommandResult result =
+      inkbench({"render", "--mesh", "million.ply", "--out", "out", "--size", "512x512"});
   ASSERT_TRUE(succeeds(result));
   EXPECT_LT(result.peak_memory_kb, 1024 * 1024);
   RecordProperty("peak_memory_mb", std::to_string(result.peak_memory_kb / 1024));
   RecordProperty("milliseconds", std::to_string(static_cast<int>(result.seconds * 1000)));
-  std::printf("a mesh of 1,002,528 faces: %.1f s, peak %ld MB\n", result.seconds, result.peak_memory_kb / 1024);
+  std::printf("a mesh of 1,002,528 faces: %.1f s, peak %ld MB\n", result.seconds,
+              result.peak_memory_kb / 1024);
 }
 
 }  // namespace

@@ -91,7 +91,8 @@ TEST_F(Render, named_buffers_are_written_in_that_order) {
 }
 
 TEST_F(Render, unknown_buffer_suggests_the_nearest) {
-  EXPECT_TRUE(is_input_error(render("out", {"--buffers", "dept"}), {"--buffers", "dept", "did you mean 'depth'?"}));
+  EXPECT_TRUE(
+      is_input_error(render("out", {"--buffers", "dept"}), {"--buffers", "dept", "did you mean 'depth'?"}));
   EXPECT_FALSE(fs::exists(file("out")));
 }
 
@@ -123,7 +124,8 @@ TEST_F(Render, object_ids_count_the_scenes_models_and_show_as_distinct_colours) 
   const Picture colours = picture("out/object_id.png");
   std::map<float, std::array<uint8_t, 3>> colour_of;
   for (size_t i = 0; i < ids.samples.size(); ++i) {
-    const std::array<uint8_t, 3> colour{colours.samples[3 * i], colours.samples[3 * i + 1], colours.samples[3 * i + 2]};
+    const std::array<uint8_t, 3> colour{colours.samples[3 * i], colours.samples[3 * i + 1],
+                                        colours.samples[3 * i + 2]};
     ASSERT_EQ(colour_of.try_emplace(ids.samples[i], colour).first->second, colour) << i;
   }
   std::set<std::array<uint8_t, 3>> distinct;
@@ -148,7 +150,8 @@ TEST_F(Render, row_0_is_the_top_in_both_formats) {
   EXPECT_LT(ball.y, 20) << "the ball is high";
   const Image exr = read_image(file("out/normal.exr"));
   const Picture png = picture("out/normal.png");
-  for (size_t i = 0; i < png.samples.size(); ++i) ASSERT_NEAR(png.samples[i], exr.samples[i] * 255.0F, 1.0F) << i;
+  for (size_t i = 0; i < png.samples.size(); ++i)
+    ASSERT_NEAR(png.samples[i], exr.samples[i] * 255.0F, 1.0F) << i;
 }
 
 TEST_F(Render, odd_sizes_are_drawn_whole) {
@@ -196,7 +199,8 @@ TEST_F(Render, choices_and_switches_are_set_by_name) {
 }
 
 TEST_F(Render, eight_bit_precision_shows_in_the_raw_values) {
-  ASSERT_TRUE(succeeds(render("out", {"--set", "image.precision=unorm8", "--buffers", "depth", "--format", "exr"})));
+  ASSERT_TRUE(
+      succeeds(render("out", {"--set", "image.precision=unorm8", "--buffers", "depth", "--format", "exr"})));
   const Image depth = read_image(file("out/depth.exr"));
   for (const float value : depth.samples) ASSERT_NEAR(value * 255.0F, std::round(value * 255.0F), 1e-4F);
 }
@@ -222,7 +226,8 @@ TEST_F(Render, same_command_gives_the_same_bytes) {
 }
 
 TEST_F(Render, image_carries_version_and_all_parameters) {
-  const std::vector<std::string> changes{"--set", "combine.k_depth=0.00123", "--set", "ink.colour=#102030", "--buffers", "depth"};
+  const std::vector<std::string> changes{
+      "--set", "combine.k_depth=0.00123", "--set", "ink.colour=#102030", "--buffers", "depth"};
   for (const std::string format : {"png", "exr"}) {
     std::vector<std::string> arguments = changes;
     arguments.insert(arguments.end(), {"--format", format});
@@ -242,28 +247,32 @@ TEST_F(Render, image_carries_version_and_all_parameters) {
 }
 
 TEST_F(Render, from_an_image_makes_the_same_image_again) {
-  ASSERT_TRUE(succeeds(render("first", {"--size", "90x50", "--set", "combine.k_normal=0.004", "--buffers", "final,normal_edges"})));
+  ASSERT_TRUE(succeeds(render(
+      "first", {"--size", "90x50", "--set", "combine.k_normal=0.004", "--buffers", "final,normal_edges"})));
   fs::rename(file("scene.toml"), file("gone.toml"));
   for (const std::string name : {"final.png", "normal_edges.png"}) {
     ASSERT_TRUE(succeeds(inkbench({"render", "--from", "first/" + name, "--out", "again"})));
-    EXPECT_EQ(content_of(file("first/" + name)), content_of(file("again/" + name))) << "its own buffer is the default";
+    EXPECT_EQ(content_of(file("first/" + name)), content_of(file("again/" + name)))
+        << "its own buffer is the default";
   }
 }
 
 TEST_F(Render, from_an_exr_and_with_changes_works_too) {
   ASSERT_TRUE(succeeds(render("first", {"--format", "exr", "--buffers", "depth"})));
   ASSERT_TRUE(succeeds(render("expected", {"--set", "camera.fov=60"})));
-  ASSERT_TRUE(succeeds(
-      inkbench({"render", "--from", "first/depth.exr", "--set", "camera.fov=60", "--buffers", "final", "--out", "again"})));
+  ASSERT_TRUE(succeeds(inkbench({"render", "--from", "first/depth.exr", "--set", "camera.fov=60", "--buffers",
+                                 "final", "--out", "again"})));
   EXPECT_EQ(folder_content(file("expected")), folder_content(file("again")));
 }
 
 TEST_F(Render, from_other_files_says_what_is_needed) {
   write_png(file("plain.png"), Picture(4, 4, 3, 100), {});
   write("text.png", "not a picture");
-  EXPECT_TRUE(is_input_error(inkbench({"render", "--from", "plain.png", "--out", "out"}), {"plain.png", "parameters", "render"}));
+  EXPECT_TRUE(is_input_error(inkbench({"render", "--from", "plain.png", "--out", "out"}),
+                             {"plain.png", "parameters", "render"}));
   EXPECT_TRUE(is_input_error(inkbench({"render", "--from", "text.png", "--out", "out"}), {"text.png"}));
-  EXPECT_TRUE(is_input_error(inkbench({"render", "--from", "none.png", "--out", "out"}), {"none.png", "no such file"}));
+  EXPECT_TRUE(is_input_error(inkbench({"render", "--from", "none.png", "--out", "out"}),
+                             {"none.png", "no such file"}));
   EXPECT_FALSE(fs::exists(file("out")));
 }
 

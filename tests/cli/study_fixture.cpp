@@ -49,7 +49,8 @@ bool is_unfinished(const std::string& name) {
 void expect_lines_of(const std::string& name, const std::string& content, const std::string& expected) {
   const std::vector<std::string> lines = whole_lines(expected);
   const std::set<std::string> known(lines.begin(), lines.end());
-  for (const std::string& line : whole_lines(content)) EXPECT_TRUE(known.contains(line)) << name << ": " << line;
+  for (const std::string& line : whole_lines(content))
+    EXPECT_TRUE(known.contains(line)) << name << ": " << line;
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ StudyTable StudyTest::table(const std::string& out) const {
     }
     EXPECT_EQ(fields.size(), table.columns.size()) << line;
     auto& row = table.rows.emplace_back();
-    for (size_t i = 0; i < std::min(fields.size(), table.columns.size()); ++i) row[table.columns[i]] = fields[i];
+    for (size_t i = 0; i < std::min(fields.size(), table.columns.size()); ++i)
+      row[table.columns[i]] = fields[i];
   }
   return table;
 }

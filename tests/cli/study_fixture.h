@@ -1,4 +1,5 @@
-// What the tests of `inkbench study` share: a small scene, specs over it, data.csv read back, folders compared.
+// What the tests of `inkbench study` share: a small scene, specs over it, data.csv read back, folders
+// compared.
 #pragma once
 
 #include <map>
@@ -40,8 +41,9 @@ FolderContent lasting_content(const fs::path& folder);
 /// "same", or the names of files that differ or are in one folder only.
 std::string difference(const FolderContent& a, const FolderContent& b);
 
-/// Checks that every file under its final name is whole: pictures decode and are those of the finished study `expected`,
-/// the manifest parses, each line of data.csv and journal that is complete is one of the finished study.
+/// Checks that every file under its final name is whole: pictures decode and are those of the finished study
+/// `expected`, the manifest parses, each line of data.csv and journal that is complete is one of the finished
+/// study.
 void expect_no_half_written_files(const fs::path& folder, const FolderContent& expected);
 
 }  // namespace inkbench

@@ -34,23 +34,29 @@ TEST_F(StudySpecErrors, unknown_entry_suggests_the_nearest) {
 
 TEST_F(StudySpecErrors, unknown_parameter_suggests_the_nearest) {
   expect_refused("[set]\ncombine.k_dept = 0.1\n", {":4", "combine.k_dept", "'combine.k_depth'"});
-  expect_refused("[[axis]]\nkey = \"combine.k_dept\"\nvalues = [1]\n", {":4", "combine.k_dept", "'combine.k_depth'"});
+  expect_refused("[[axis]]\nkey = \"combine.k_dept\"\nvalues = [1]\n",
+                 {":4", "combine.k_dept", "'combine.k_depth'"});
   expect_refused("[[variant]]\nname = \"x\"\n[variant.set]\ncamera.eye.w = 1\n", {":6", "camera.eye"});
 }
 
 TEST_F(StudySpecErrors, value_that_the_parameter_refuses_is_refused_beforehand) {
-  expect_refused("[[axis]]\nkey = \"combine.k_depth\"\nvalues = [0.1,\n  7]\n", {":6", "combine.k_depth = 7", "1e-06"});
-  expect_refused("[[axis]]\nkey = \"combine.k_depth\"\nvalues = [\"x\"]\n", {":5", "combine.k_depth", "number"});
-  expect_refused("[[axis]]\nkey = \"camera.fov\"\nfrom = 100\nto = 200\ncount = 3\n", {":3", "camera.fov = 200", "170"});
+  expect_refused("[[axis]]\nkey = \"combine.k_depth\"\nvalues = [0.1,\n  7]\n",
+                 {":6", "combine.k_depth = 7", "1e-06"});
+  expect_refused("[[axis]]\nkey = \"combine.k_depth\"\nvalues = [\"x\"]\n",
+                 {":5", "combine.k_depth", "number"});
+  expect_refused("[[axis]]\nkey = \"camera.fov\"\nfrom = 100\nto = 200\ncount = 3\n",
+                 {":3", "camera.fov = 200", "170"});
   expect_refused("[[variant]]\nname = \"x\"\n[variant.set]\ncamera.fov = 900\n", {":6", "camera.fov = 900"});
   expect_refused("size = [0, 10]\n", {":3", "image.width = 0"});
 }
 
 TEST_F(StudySpecErrors, axis_without_values_is_refused) {
   expect_refused("[[axis]]\nkey = \"combine.k_depth\"\n", {":3", "values"});
-  expect_refused("[[axis]]\nkey = \"combine.k_depth\"\nvalues = []\n", {":5", "combine.k_depth", "no values"});
+  expect_refused("[[axis]]\nkey = \"combine.k_depth\"\nvalues = []\n",
+                 {":5", "combine.k_depth", "no values"});
   expect_refused("[[axis]]\nkey = \"combine.k_depth\"\nfrom = 0.1\nto = 0.2\n", {":3", "count"});
-  expect_refused("[[axis]]\nkey = \"combine.k_depth\"\nfrom = 0.1\nto = 0.2\ncount = 0\n", {":7", "count = 0"});
+  expect_refused("[[axis]]\nkey = \"combine.k_depth\"\nfrom = 0.1\nto = 0.2\ncount = 0\n",
+                 {":7", "count = 0"});
   expect_refused("[[axis]]\nvalues = [1]\n", {":3", "key"});
 }
 
@@ -65,8 +71,10 @@ TEST_F(StudySpecErrors, contradictory_axes_are_refused) {
   expect_refused(fov + fov, {":7", "camera.fov", "second axis"});
   expect_refused(fov + "[[variant]]\nname = \"x\"\n", {":6", "[[axis]] and [[variant]]"});
   expect_refused("[[axis]]\nkey = \"camera.fov\"\nvalues = [30]\nfrom = 3\n", {":6", "values and from"});
-  expect_refused("[[axis]]\nkey = \"combine.threshold\"\nfrom = 0\nto = 1\ncount = 3\nscale = \"log\"\n", {":3", "log", "above 0"});
-  expect_refused("[[axis]]\nkey = \"combine.threshold\"\nfrom = 1\nto = 2\ncount = 3\nscale = \"cubic\"\n", {":8", "cubic", "linear, log"});
+  expect_refused("[[axis]]\nkey = \"combine.threshold\"\nfrom = 0\nto = 1\ncount = 3\nscale = \"log\"\n",
+                 {":3", "log", "above 0"});
+  expect_refused("[[axis]]\nkey = \"combine.threshold\"\nfrom = 1\nto = 2\ncount = 3\nscale = \"cubic\"\n",
+                 {":8", "cubic", "linear, log"});
   std::string four;
   for (const char* key : {"camera.fov", "camera.near", "camera.far", "combine.threshold"}) {
     four += "[[axis]]\nkey = \"" + std::string(key) + "\"\nvalues = [1]\n";
@@ -76,9 +84,12 @@ TEST_F(StudySpecErrors, contradictory_axes_are_refused) {
 }
 
 TEST_F(StudySpecErrors, cell_whose_settings_contradict_each_other_is_named_before_any_is_drawn) {
-  expect_refused("[[axis]]\nkey = \"camera.eye\"\nvalues = [[0, 1, 8], [0, 1, 0]]\n", {"cell eye = 0, 1, 0", "camera.eye"});
-  expect_refused("[[axis]]\nkey = \"model.box.shape\"\nvalues = [\"box\", \"mesh\"]\n[set]\nmodel.box.mesh = \"lost.obj\"\n",
-                 {"cell shape = mesh", "lost.obj"});
+  expect_refused("[[axis]]\nkey = \"camera.eye\"\nvalues = [[0, 1, 8], [0, 1, 0]]\n",
+                 {"cell eye = 0, 1, 0", "camera.eye"});
+  expect_refused(
+      "[[axis]]\nkey = \"model.box.shape\"\nvalues = [\"box\", \"mesh\"]\n[set]\nmodel.box.mesh = "
+      "\"lost.obj\"\n",
+      {"cell shape = mesh", "lost.obj"});
 }
 
 TEST_F(StudySpecErrors, wrong_types_say_which_is_right) {
@@ -96,8 +107,9 @@ TEST_F(StudySpecErrors, broken_toml_says_the_line) {
 }
 
 TEST_F(StudySpecErrors, too_many_cells_for_any_disk_are_refused) {
-  const std::string body = "[[axis]]\nkey = \"combine.k_depth\"\nfrom = 0.001\nto = 0.9\ncount = 100000\n"
-                           "[[axis]]\nkey = \"combine.k_normal\"\nfrom = 0.001\nto = 0.9\ncount = 100000\n";
+  const std::string body =
+      "[[axis]]\nkey = \"combine.k_depth\"\nfrom = 0.001\nto = 0.9\ncount = 100000\n"
+      "[[axis]]\nkey = \"combine.k_normal\"\nfrom = 0.001\nto = 0.9\ncount = 100000\n";
   expect_refused(body, {"10000000000 cells", "10,000,000"});
 }
 

@@ -27,7 +27,8 @@ TEST_F(Study, leaves_grid_cells_table_and_manifest) {
   ASSERT_TRUE(succeeds(result));
   EXPECT_THAT(result.out, HasSubstr("A small study: 3 cells of 64 x 48 px, at most "));
   EXPECT_THAT(result.out, HasSubstr("out/grid.png\n"));
-  for (const char* name : {"grid.png", "data.csv", "manifest.json", "cells/0001_final.png", "cells/0002_final.png", "cells/0003_final.png"}) {
+  for (const char* name : {"grid.png", "data.csv", "manifest.json", "cells/0001_final.png",
+                           "cells/0002_final.png", "cells/0003_final.png"}) {
     EXPECT_TRUE(fs::exists(file("out") / name)) << name;
   }
   EXPECT_EQ(folder_content(file("out")).size(), 7U) << "and the journal";
@@ -49,10 +50,12 @@ TEST_F(Study, manifest_says_what_was_run_with_what_and_when) {
 }
 
 TEST_F(Study, table_has_parameters_then_numbers_then_files) {
-  write_spec("s", "show = [\"final\", \"depth\"]\n" + threshold_axis(3) + "[[axis]]\nkey = \"camera.eye.x\"\nvalues = [0, 1]\n");
+  write_spec("s", "show = [\"final\", \"depth\"]\n" + threshold_axis(3) +
+                      "[[axis]]\nkey = \"camera.eye.x\"\nvalues = [0, 1]\n");
   ASSERT_TRUE(succeeds(study("s", "out")));
   const StudyTable data = table("out");
-  EXPECT_THAT(data.columns, ElementsAre("cell", "combine.k_normal", "camera.eye.x", "ink", "ink_px", "error", "FILE_final", "FILE_depth"));
+  EXPECT_THAT(data.columns, ElementsAre("cell", "combine.k_normal", "camera.eye.x", "ink", "ink_px", "error",
+                                        "FILE_final", "FILE_depth"));
   EXPECT_THAT(data.column("cell"), ElementsAre("1", "2", "3", "4", "5", "6"));
   EXPECT_THAT(data.column("camera.eye.x"), ElementsAre("0", "0", "0", "1", "1", "1"));
   EXPECT_THAT(data.column("error"), Each(IsEmpty()));
@@ -67,25 +70,30 @@ TEST_F(Study, ink_is_the_share_of_pixels_that_are_not_zero_in_combined_edges) {
   ASSERT_TRUE(succeeds(study("s", "out")));
   for (const auto& row : table("out").rows) {
     const Picture edges = read_picture(file("out") / row.at("FILE_combined_edges"), 1);
-    const auto inked = std::count_if(edges.samples.begin(), edges.samples.end(), [](uint8_t e) { return e > 0; });
+    const auto inked =
+        std::count_if(edges.samples.begin(), edges.samples.end(), [](uint8_t e) { return e > 0; });
     EXPECT_EQ(row.at("ink_px"), std::to_string(inked));
     EXPECT_NEAR(std::stod(row.at("ink")), static_cast<double>(inked) / (64 * 48), 1e-9);
   }
 }
 
 TEST_F(Study, axes_step_linearly_logarithmically_or_through_a_list) {
-  write_spec("linear", "[[axis]]\nkey = \"combine.threshold\"\nfrom = 0.5\nto = 1.5\ncount = 3\nscale = \"linear\"\n");
-  write_spec("log", "[[axis]]\nkey = \"combine.threshold\"\nfrom = 0.02\nto = 2\ncount = 3\nscale = \"log\"\n");
+  write_spec("linear",
+             "[[axis]]\nkey = \"combine.threshold\"\nfrom = 0.5\nto = 1.5\ncount = 3\nscale = \"linear\"\n");
+  write_spec("log",
+             "[[axis]]\nkey = \"combine.threshold\"\nfrom = 0.02\nto = 2\ncount = 3\nscale = \"log\"\n");
   write_spec("own", "[[axis]]\nkey = \"combine.k_depth\"\nfrom = 0.0001\nto = 0.01\ncount = 3\n");
   write_spec("values", "[[axis]]\nkey = \"combine.threshold\"\nvalues = [0.75, 0.1, 1]\n");
-  write_spec("integer", "[[axis]]\nkey = \"model.ball.segments\"\nfrom = 3\nto = 12\ncount = 4\nscale = \"linear\"\n");
+  write_spec("integer",
+             "[[axis]]\nkey = \"model.ball.segments\"\nfrom = 3\nto = 12\ncount = 4\nscale = \"linear\"\n");
   const auto values = [&](const std::string& name, const std::string& key) {
     EXPECT_TRUE(succeeds(study(name, name)));
     return table(name).column(key);
   };
   EXPECT_THAT(values("linear", "combine.threshold"), ElementsAre("0.5", "1", "1.5"));
   EXPECT_THAT(values("log", "combine.threshold"), ElementsAre("0.02", "0.2", "2"));
-  EXPECT_THAT(values("own", "combine.k_depth"), ElementsAre("0.0001", "0.001", "0.01")) << "the parameter's own scale is log";
+  EXPECT_THAT(values("own", "combine.k_depth"), ElementsAre("0.0001", "0.001", "0.01"))
+      << "the parameter's own scale is log";
   EXPECT_THAT(values("values", "combine.threshold"), ElementsAre("0.75", "0.1", "1"));
   EXPECT_THAT(values("integer", "model.ball.segments"), ElementsAre("3", "6", "9", "12"));
 }
@@ -101,7 +109,8 @@ TEST_F(Study, any_parameter_can_be_an_axis) {
   for (const auto& [key, values] : axes) {
     write_spec(key, "show = [\"final\"]\n[[axis]]\nkey = \"" + key + "\"\nvalues = " + values + "\n");
     ASSERT_TRUE(succeeds(study(key, key))) << key;
-    const bool same = read_picture(file(key) / "cells/0001_final.png", 3) == read_picture(file(key) / "cells/0002_final.png", 3);
+    const bool same = read_picture(file(key) / "cells/0001_final.png", 3) ==
+                      read_picture(file(key) / "cells/0002_final.png", 3);
     EXPECT_FALSE(same) << key;
   }
   EXPECT_THAT(table("camera.eye").column("camera.eye"), ElementsAre("[0, 1, 8]", "[2, 1, 7]"));
@@ -110,24 +119,29 @@ TEST_F(Study, any_parameter_can_be_an_axis) {
 
 TEST_F(Study, variants_are_rows_with_names_and_every_key_they_set) {
   write_spec("s",
-             "[[variant]]\nname = \"plain\"\n[[variant]]\nname = \"few, \\\"thin\\\" lines\"\n[variant.set]\ncombine.k_normal = 0.4\n"
+             "[[variant]]\nname = \"plain\"\n[[variant]]\nname = \"few, \\\"thin\\\" "
+             "lines\"\n[variant.set]\ncombine.k_normal = 0.4\n"
              "[[variant]]\nname = \"from afar\"\n[variant.set]\ncamera.eye = [0, 1, 12]\n");
   ASSERT_TRUE(succeeds(study("s", "out")));
   const StudyTable data = table("out");
-  EXPECT_THAT(data.columns,
-              ElementsAre("cell", "variant", "combine.k_normal", "camera.eye", "ink", "ink_px", "error", "FILE_final"));
+  EXPECT_THAT(data.columns, ElementsAre("cell", "variant", "combine.k_normal", "camera.eye", "ink", "ink_px",
+                                        "error", "FILE_final"));
   EXPECT_THAT(data.column("variant"), ElementsAre("plain", "few, \"thin\" lines", "from afar"));
   EXPECT_THAT(data.column("combine.k_normal"), ElementsAre("0.0125", "0.4", "0.0125"));
   EXPECT_THAT(data.column("camera.eye"), ElementsAre("[0, 1, 8]", "[0, 1, 8]", "[0, 1, 12]"));
 }
 
 TEST_F(Study, third_axis_makes_pages) {
-  write_spec("s", threshold_axis(2) + "[[axis]]\nkey = \"camera.eye.x\"\nvalues = [0, 1]\n[[axis]]\nkey = \"camera.fov\"\nvalues = [30, 40, 50]\n");
+  write_spec("s", threshold_axis(2) +
+                      "[[axis]]\nkey = \"camera.eye.x\"\nvalues = [0, 1]\n[[axis]]\nkey = "
+                      "\"camera.fov\"\nvalues = [30, 40, 50]\n");
   ASSERT_TRUE(succeeds(study("s", "out")));
   const StudyTable data = table("out");
   EXPECT_EQ(data.rows.size(), 12U);
-  EXPECT_THAT(data.column("camera.fov"), ElementsAre("30", "30", "30", "30", "40", "40", "40", "40", "50", "50", "50", "50"));
-  for (const char* name : {"grid.png", "grid_2.png", "grid_3.png"}) EXPECT_TRUE(fs::exists(file("out") / name)) << name;
+  EXPECT_THAT(data.column("camera.fov"),
+              ElementsAre("30", "30", "30", "30", "40", "40", "40", "40", "50", "50", "50", "50"));
+  for (const char* name : {"grid.png", "grid_2.png", "grid_3.png"})
+    EXPECT_TRUE(fs::exists(file("out") / name)) << name;
   EXPECT_FALSE(fs::exists(file("out/grid_4.png")));
 }
 
@@ -139,20 +153,26 @@ TEST_F(Study, study_without_axes_is_one_cell) {
 }
 
 TEST_F(Study, cell_is_base_plus_overrides_whatever_ran_before) {
-  // The costly axis (mesh, camera) is the inner one of the grid, so that cells run in another order than they are numbered.
+  // The costly axis (mesh, camera) is the inner one of the grid, so that cells run in another order than they
+  // are numbered.
   write_spec("s",
-             "size = [40, 30]\n[set]\ncombine.k_normal = 0.02\ncamera.target = [0.1, 1, 0]\n[[axis]]\nkey = \"model.ball.segments\"\n"
-             "values = [5, 20]\n[[axis]]\nkey = \"combine.k_depth\"\nvalues = [0.0005, 0.05]\n[[axis]]\nkey = \"camera.eye.x\"\nvalues = [0, 3]\n");
+             "size = [40, 30]\n[set]\ncombine.k_normal = 0.02\ncamera.target = [0.1, 1, 0]\n[[axis]]\nkey = "
+             "\"model.ball.segments\"\n"
+             "values = [5, 20]\n[[axis]]\nkey = \"combine.k_depth\"\nvalues = [0.0005, 0.05]\n[[axis]]\nkey "
+             "= \"camera.eye.x\"\nvalues = [0, 3]\n");
   ASSERT_TRUE(succeeds(study("s", "out")));
   for (const auto& row : table("out").rows) {
-    std::vector<std::string> arguments{"render", "--scene", "scene.toml", "--size", "40x30", "--out", "single"};
-    for (const std::string& assignment : {std::string("combine.k_normal=0.02"), std::string("camera.target=[0.1, 1, 0]"),
-                                         "model.ball.segments=" + row.at("model.ball.segments"),
-                                         "combine.k_depth=" + row.at("combine.k_depth"), "camera.eye.x=" + row.at("camera.eye.x")}) {
+    std::vector<std::string> arguments{"render", "--scene", "scene.toml", "--size",
+                                       "40x30",  "--out",   "single"};
+    for (const std::string& assignment :
+         {std::string("combine.k_normal=0.02"), std::string("camera.target=[0.1, 1, 0]"),
+          "model.ball.segments=" + row.at("model.ball.segments"),
+          "combine.k_depth=" + row.at("combine.k_depth"), "camera.eye.x=" + row.at("camera.eye.x")}) {
       arguments.insert(arguments.end(), {"--set", assignment});
     }
     ASSERT_TRUE(succeeds(inkbench(arguments)));
-    EXPECT_EQ(content_of(file("single/final.png")), content_of(file("out") / row.at("FILE_final"))) << "cell " << row.at("cell");
+    EXPECT_EQ(content_of(file("single/final.png")), content_of(file("out") / row.at("FILE_final")))
+        << "cell " << row.at("cell");
   }
 }
 
@@ -161,7 +181,8 @@ TEST_F(Study, cell_is_made_again_from_its_own_picture) {
   ASSERT_TRUE(succeeds(study("s", "out")));
   for (const std::string name : {"0002_normal_edges", "0001_final"}) {
     ASSERT_TRUE(succeeds(inkbench({"render", "--from", "out/cells/" + name + ".png", "--out", "again"})));
-    EXPECT_EQ(content_of(file("out/cells/" + name + ".png")), content_of(file("again/" + name.substr(5) + ".png")));
+    EXPECT_EQ(content_of(file("out/cells/" + name + ".png")),
+              content_of(file("again/" + name.substr(5) + ".png")));
   }
 }
 
@@ -169,7 +190,8 @@ TEST_F(Study, set_changes_the_base_but_not_an_axis) {
   write_spec("s", threshold_axis(2));
   ASSERT_TRUE(succeeds(study("s", "a", {"--set", "image.width=30", "--set", "camera.fov=60"})));
   EXPECT_EQ(read_picture(file("a/cells/0001_final.png"), 3).width_px, 30);
-  EXPECT_TRUE(is_input_error(study("s", "b", {"--set", "combine.k_normal=0.1"}), {"--set", "combine.k_normal", "axis", "s.toml"}));
+  EXPECT_TRUE(is_input_error(study("s", "b", {"--set", "combine.k_normal=0.1"}),
+                             {"--set", "combine.k_normal", "axis", "s.toml"}));
   EXPECT_FALSE(fs::exists(file("b")));
 }
 
@@ -254,7 +276,8 @@ TEST_F(Study, progress_in_a_pipe_is_whole_quiet_lines) {
 }
 
 TEST_F(Study, same_study_twice_gives_the_same_bytes) {
-  write_spec("s", "show = [\"final\", \"combined_edges\"]\n" + threshold_axis(6) + "[[axis]]\nkey = \"camera.eye.x\"\nvalues = [0, 1]\n");
+  write_spec("s", "show = [\"final\", \"combined_edges\"]\n" + threshold_axis(6) +
+                      "[[axis]]\nkey = \"camera.eye.x\"\nvalues = [0, 1]\n");
   ASSERT_TRUE(succeeds(study("s", "first")));
   ASSERT_TRUE(succeeds(study("s", "elsewhere/second")));
   EXPECT_EQ(difference(lasting_content(file("first")), lasting_content(file("elsewhere/second"))), "same");

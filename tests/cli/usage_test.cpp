@@ -22,7 +22,8 @@ std::vector<std::string> keys_of_text(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const size_t equals = line.find(" = ");
-    if (line.starts_with("  ") && line[2] != ' ' && equals != std::string::npos) keys.push_back(line.substr(2, equals - 2));
+    if (line.starts_with("  ") && line[2] != ' ' && equals != std::string::npos)
+      keys.push_back(line.substr(2, equals - 2));
   }
   return keys;
 }
@@ -36,7 +37,8 @@ TEST_F(Usage, help_of_every_command_has_an_example) {
     ASSERT_TRUE(succeeds(result));
     const size_t example = result.out.find("Example");
     ASSERT_NE(example, std::string::npos) << result.out;
-    EXPECT_THAT(result.out.substr(example), HasSubstr("\n  inkbench " + (command.empty() ? "" : command[0]))) << result.out;
+    EXPECT_THAT(result.out.substr(example), HasSubstr("\n  inkbench " + (command.empty() ? "" : command[0])))
+        << result.out;
     EXPECT_THAT(result.err, IsEmpty());
   }
 }
@@ -85,7 +87,8 @@ TEST_F(Usage, unknown_format_names_the_known_ones) {
 }
 
 TEST_F(Usage, scene_and_from_exclude_each_other) {
-  EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "a.toml", "--from", "b.png", "--out", "c"}), {"--from", "--scene"}));
+  EXPECT_TRUE(is_input_error(inkbench({"render", "--scene", "a.toml", "--from", "b.png", "--out", "c"}),
+                             {"--from", "--scene"}));
 }
 
 TEST_F(Usage, params_has_the_same_keys_in_each_format) {
@@ -96,8 +99,9 @@ TEST_F(Usage, params_has_the_same_keys_in_each_format) {
   EXPECT_EQ(text.out, inkbench({"params", "--format", "text"}).out);
 
   const std::vector<std::string> keys = keys_of_text(text.out);
-  EXPECT_THAT(keys, testing::IsSupersetOf({"combine.k_depth", "combine.k_normal", "combine.threshold", "image.precision",
-                                           "camera.eye", "ramp.diffuse", "light.<name>.direction", "model.<name>.mesh",
+  EXPECT_THAT(keys, testing::IsSupersetOf({"combine.k_depth", "combine.k_normal", "combine.threshold",
+                                           "image.precision", "camera.eye", "ramp.diffuse",
+                                           "light.<name>.direction", "model.<name>.mesh",
                                            "display.depth_edges_gain", "display.normal_edges_gain"}));
   std::vector<std::string> json_keys;
   for (const nlohmann::json& entry : nlohmann::json::parse(json.out)) {
