@@ -55,9 +55,9 @@ TomlNode convert(const toml::node& source, const std::string& name);
 TomlNode convert_table(const toml::table& table, const std::string& name) {
   TomlNode node;
   for (const auto& [key, value] : table)
-    node.entries.emplace_back(std::string(key.str()), convert(value, name));
+    node.entries.push_back({std::string(key.str()), convert(value, name)});
   std::stable_sort(node.entries.begin(), node.entries.end(),
-                   [](const auto& a, const auto& b) { return a.second.line < b.second.line; });
+                   [](const auto& a, const auto& b) { return a.node.line < b.node.line; });
   return node;
 }
 

@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace inkbench {
+
+struct TomlEntry;
 
 struct TomlNode {
   enum class Kind { boolean, integer, real, text, array, table };
@@ -17,8 +18,8 @@ struct TomlNode {
   int64_t integer = 0;
   double real = 0.0;
   std::string text;
-  std::vector<TomlNode> items;                            ///< Of an array.
-  std::vector<std::pair<std::string, TomlNode>> entries;  ///< Of a table, in the document's order of lines.
+  std::vector<TomlNode> items;     ///< Of an array.
+  std::vector<TomlEntry> entries;  ///< Of a table, in the document's order of lines.
   int line = 0;
 
   /// The entry of that key, or nullptr.
@@ -28,6 +29,11 @@ struct TomlNode {
   bool is_text() const { return kind == Kind::text; }
   /// "a number", "a table": what the node is, for errors.
   std::string kind_name() const;
+};
+
+struct TomlEntry {
+  std::string key;
+  TomlNode node;
 };
 
 /// Parses a whole document. Errors (input): `name:line` and what the grammar objects to; a key given twice; a

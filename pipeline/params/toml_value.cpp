@@ -217,7 +217,8 @@ Value value_from_text(const Param& param, const std::string& text, const std::st
   try {
     parsed = parse_toml("value = " + (is_list && is_vector ? "[" + trimmed + "]" : trimmed), where);
   } catch (const Error&) {
-    if (type == FieldType::ramp && trimmed.starts_with('[')) throw;  // a mistyped list of stops is no image's name
+    if (type == FieldType::ramp && trimmed.starts_with('['))
+      throw;  // a mistyped list of stops is no image's name
     return value_from_toml(param, bare, where, ".");
   }
   const TomlNode* node = parsed.entries.size() == 1 ? parsed.find("value") : nullptr;

@@ -11,8 +11,11 @@ void replace_main_mesh(Settings& settings, const std::filesystem::path& mesh) {
     const glm::vec3 extent = bounds.high - bounds.low;
     const glm::vec3 base{(bounds.low.x + bounds.high.x) / 2, bounds.low.y,
                          (bounds.low.z + bounds.high.z) / 2};
-    model.position = glm::vec3(model_matrix(model, bounds) * glm::vec4(base, 1.0F));
-    if (model.size <= 0.0F) model.size = std::max({extent.x, extent.y, extent.z});
+    const glm::vec3 place(model_matrix(model, bounds) * glm::vec4(base, 1.0F));
+    const float size = model.size > 0.0F ? model.size : std::max({extent.x, extent.y, extent.z});
+    const std::string where = "replacing the mesh of model '" + model.name + "'";
+    find_param(settings, "model." + model.name + ".position", where).set(place, where);
+    find_param(settings, "model." + model.name + ".size", where).set(size, where);
     model.anchor = Anchor::base;
   }
   model.shape = Shape::mesh;

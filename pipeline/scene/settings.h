@@ -50,7 +50,8 @@ void set_param_text(Settings& settings, const std::string& key, const std::strin
 /// "KEY=VALUE" as on a command line.
 void apply_assignment(Settings& settings, const std::string& assignment);
 
-/// What is wrong between parameters that are each valid (camera, names, ramps' order): throws an input error.
+/// What is wrong between parameters that are each valid (camera, names, light directions): throws an input
+/// error.
 void check_settings(const Settings& settings);
 
 /// The model that `--mesh` replaces: the first one that is a mesh, else the first. Errors (input): no models.

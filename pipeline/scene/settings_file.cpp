@@ -88,7 +88,7 @@ void apply_list(Settings& settings, std::vector<Item>& items, const std::string&
       items.back().name = name;
     }
     TomlNode rest = table;
-    std::erase_if(rest.entries, [](const auto& entry) { return entry.first == "name"; });
+    std::erase_if(rest.entries, [](const auto& entry) { return entry.key == "name"; });
     apply_entries(settings, rest, list + "." + name, source);
   }
 }
@@ -98,14 +98,13 @@ void apply_document(Settings& settings, const TomlNode& document, const Source& 
     throw input_error(source.at(*title), "title is " + title->kind_name(), "it must be text");
   }
   TomlNode rest = document;
-  std::erase_if(rest.entries,
-                [](const auto& entry) { return entry.first == "base" || entry.first == "title"; });
+  std::erase_if(rest.entries, [](const auto& entry) { return entry.key == "base" || entry.key == "title"; });
   for (const char* list : {"model", "light"}) {
     const TomlNode* array = document.find(list);
     if (array == nullptr || !array->is_array()) continue;
     if (std::string_view(list) == "model") apply_list(settings, settings.models, list, *array, source);
     if (std::string_view(list) == "light") apply_list(settings, settings.lights, list, *array, source);
-    std::erase_if(rest.entries, [&](const auto& entry) { return entry.first == list; });
+    std::erase_if(rest.entries, [&](const auto& entry) { return entry.key == list; });
   }
   apply_entries(settings, rest, "", source);
 }

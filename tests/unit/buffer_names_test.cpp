@@ -33,7 +33,8 @@ TEST(BufferNames, the_enum_and_the_names_agree) {
 }
 
 TEST(BufferNames, the_order_given_is_kept_and_each_comes_once) {
-  EXPECT_THAT(parse_buffers({"final", " depth ", "final"}, "here"), ElementsAre(BufferName::final, BufferName::depth));
+  EXPECT_THAT(parse_buffers({"final", " depth ", "final"}, "here"),
+              ElementsAre(BufferName::final, BufferName::depth));
 }
 
 TEST(BufferNames, all_means_each_once) {
@@ -44,12 +45,15 @@ TEST(BufferNames, all_means_each_once) {
 }
 
 TEST(BufferNames, an_unknown_one_is_an_error_with_the_nearest) {
-  EXPECT_EQ(error_of([] { parse_buffers({"final", "dept"}, "a.toml:3"); }),
+  EXPECT_EQ(error_of([] {
+              parse_buffers({"final", "dept"}, "a.toml:3");
+            }),
             "a.toml:3: unknown buffer 'dept'; did you mean 'depth'?");
 }
 
 TEST(BufferNames, naming_none_is_an_error) {
-  EXPECT_EQ(error_of([] { parse_buffers({}, "a.toml:3"); }), "a.toml:3: names no buffer; for example: final, combined_edges");
+  EXPECT_EQ(error_of([] { parse_buffers({}, "a.toml:3"); }),
+            "a.toml:3: names no buffer; for example: final, combined_edges");
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include <sys/resource.h>
 #include <csignal>
 #include <stdexcept>
-#include <sys/resource.h>
 #include <vector>
 
 #include "tests/unit/support.h"
@@ -21,7 +21,8 @@ using ::testing::UnorderedElementsAre;
 
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
   return names;
 }
 
@@ -111,7 +112,8 @@ TEST(Files, two_pending_files_of_one_name_do_not_meet) {
 TEST(Files, writing_over_a_folder_is_an_error_that_leaves_nothing) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "taken");
-  const std::string text = error_of([&] { write_file_atomically(folder.path() / "taken", "x"); }, ErrorKind::work);
+  const std::string text =
+      error_of([&] { write_file_atomically(folder.path() / "taken", "x"); }, ErrorKind::work);
   EXPECT_THAT(text, StartsWith((folder.path() / "taken").string() + ": cannot be written"));
   EXPECT_THAT(names_in(folder.path()), ElementsAre("taken"));
 }
@@ -119,7 +121,8 @@ TEST(Files, writing_over_a_folder_is_an_error_that_leaves_nothing) {
 TEST(Files, writing_under_a_file_says_which_folder_cannot_be_made) {
   const TemporaryFolder folder;
   folder.write("file", "x");
-  const std::string text = error_of([&] { write_file_atomically(folder.path() / "file" / "inner", "x"); }, ErrorKind::work);
+  const std::string text =
+      error_of([&] { write_file_atomically(folder.path() / "file" / "inner", "x"); }, ErrorKind::work);
   EXPECT_THAT(text, HasSubstr((folder.path() / "file").string() + ": this folder cannot be made"));
 }
 
@@ -131,8 +134,8 @@ TEST(Files, writing_past_the_size_limit_is_an_error_that_leaves_the_old_content)
   const auto saved_handler = std::signal(SIGXFSZ, SIG_IGN);
   const rlimit small{4096, saved.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
-  const std::string text =
-      error_of([&] { write_file_atomically(folder.path() / "file", std::string(10'000, 'x')); }, ErrorKind::work);
+  const std::string text = error_of(
+      [&] { write_file_atomically(folder.path() / "file", std::string(10'000, 'x')); }, ErrorKind::work);
   setrlimit(RLIMIT_FSIZE, &saved);
   std::signal(SIGXFSZ, saved_handler);
   EXPECT_THAT(text, HasSubstr("writing stopped; the file would exceed the allowed file size"));
@@ -150,8 +153,10 @@ TEST(Files, a_name_too_long_is_our_error) {
 
 TEST(Files, reading_says_what_is_wrong_with_the_path) {
   const TemporaryFolder folder;
-  EXPECT_EQ(error_of([&] { read_file(folder.path() / "none"); }), (folder.path() / "none").string() + ": no such file");
-  EXPECT_EQ(error_of([&] { read_file(folder.path()); }), folder.path().string() + ": is a folder; a file is needed");
+  EXPECT_EQ(error_of([&] { read_file(folder.path() / "none"); }),
+            (folder.path() / "none").string() + ": no such file");
+  EXPECT_EQ(error_of([&] { read_file(folder.path()); }),
+            folder.path().string() + ": is a folder; a file is needed");
   EXPECT_EQ(error_of([] { read_file("/dev/zero"); }), "/dev/zero: is a device; a file is needed");
 }
 

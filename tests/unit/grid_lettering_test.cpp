@@ -9,8 +9,8 @@
 namespace inkbench {
 namespace {
 
-using testing::ElementsAre;
 using testing::Each;
+using testing::ElementsAre;
 
 TEST(Lettering, width_is_the_sum_over_characters_in_any_script) {
   const auto width = [](const char* text) { return text_width_px(text, 20, Face::regular); };
@@ -30,7 +30,8 @@ TEST(Lettering, lines_break_at_spaces_and_line_ends) {
 
 TEST(Lettering, word_wider_than_the_line_is_broken_between_characters) {
   const int width = text_width_px("\xc3\xa9\xc3\xa9\xc3\xa9", 20, Face::regular);
-  const std::vector<std::string> lines = wrapped("\xc3\xa9\xc3\xa9\xc3\xa9\xc3\xa9", width, 20, Face::regular);
+  const std::vector<std::string> lines =
+      wrapped("\xc3\xa9\xc3\xa9\xc3\xa9\xc3\xa9", width, 20, Face::regular);
   EXPECT_THAT(lines, ElementsAre("\xc3\xa9\xc3\xa9\xc3\xa9", "\xc3\xa9"));
   EXPECT_THAT(wrapped("abc", 1, 20, Face::regular), ElementsAre("a", "b", "c"));
 }

@@ -63,7 +63,9 @@ Picture part_of(const Picture& picture, int x, int y, int width, int height) {
 
 struct Box {
   int left, top, right, bottom;
-  bool overlaps(const Box& o) const { return left < o.right && o.left < right && top < o.bottom && o.top < bottom; }
+  bool overlaps(const Box& o) const {
+    return left < o.right && o.left < right && top < o.bottom && o.top < bottom;
+  }
 };
 
 Box box_of(const GridLine& line) {
@@ -103,28 +105,29 @@ std::vector<std::string> long_names() {
 }
 
 std::vector<NamedLayout> many_layouts() {
-  std::vector<NamedLayout> all = {{"strip", layout_of(3, 1, 512, 512)},
-                                  {"square", layout_of(7, 7, 512, 512)},
-                                  {"wide_cells", layout_of(4, 3, 640, 360)},
-                                  {"one_pixel_cells", layout_of(5, 4, 1, 1)},
-                                  {"tiny_cells", layout_of(5, 4, 8, 8)},
-                                  {"flat_cells", layout_of(5, 4, 300, 1)},
-                                  {"huge_cells", layout_of(5, 3, 4096, 4096)},
-                                  {"many", layout_of(40, 50, 256, 256)},
-                                  {"very_many_columns", layout_of(500, 2, 64, 64)},
-                                  {"very_many_rows", layout_of(2, 500, 64, 64)},
-                                  {"small_sheets", layout_of(9, 9, 512, 512)},
-                                  {"tiny_in_small_sheets", layout_of(90, 90, 3, 5)},
-                                  {"no_title", layout_of(3, 3, 100, 100)},
-                                  {"variants", variants(long_names(), 512)},
-                                  {"tiny_variants", variants({"defaults", "k_normal = 0.025 (too large)", "z"}, 1)},
-                                  {"many_variants", variants(numbers(1000), 512)},
-                                  {"endless_words", variants({std::string(3000, 'w'), std::string(50, 'm')}, 200)},
-                                  {"long_texts", layout_of(2, 3, 200, 200)},
-                                  {"pages", layout_of(3, 2, 200, 200)},
-                                  {"long_row", layout_of(12, 1, 200, 200)},
-                                  {"long_column", layout_of(1, 30, 200, 200)},
-                                  {"other_scripts", layout_of(2, 2, 60, 60)}};
+  std::vector<NamedLayout> all = {
+      {"strip", layout_of(3, 1, 512, 512)},
+      {"square", layout_of(7, 7, 512, 512)},
+      {"wide_cells", layout_of(4, 3, 640, 360)},
+      {"one_pixel_cells", layout_of(5, 4, 1, 1)},
+      {"tiny_cells", layout_of(5, 4, 8, 8)},
+      {"flat_cells", layout_of(5, 4, 300, 1)},
+      {"huge_cells", layout_of(5, 3, 4096, 4096)},
+      {"many", layout_of(40, 50, 256, 256)},
+      {"very_many_columns", layout_of(500, 2, 64, 64)},
+      {"very_many_rows", layout_of(2, 500, 64, 64)},
+      {"small_sheets", layout_of(9, 9, 512, 512)},
+      {"tiny_in_small_sheets", layout_of(90, 90, 3, 5)},
+      {"no_title", layout_of(3, 3, 100, 100)},
+      {"variants", variants(long_names(), 512)},
+      {"tiny_variants", variants({"defaults", "k_normal = 0.025 (too large)", "z"}, 1)},
+      {"many_variants", variants(numbers(1000), 512)},
+      {"endless_words", variants({std::string(3000, 'w'), std::string(50, 'm')}, 200)},
+      {"long_texts", layout_of(2, 3, 200, 200)},
+      {"pages", layout_of(3, 2, 200, 200)},
+      {"long_row", layout_of(12, 1, 200, 200)},
+      {"long_column", layout_of(1, 30, 200, 200)},
+      {"other_scripts", layout_of(2, 2, 60, 60)}};
   for (auto& [name, layout] : all) {
     if (name == "small_sheets" || name == "tiny_in_small_sheets") layout.max_side_px = 1024;
     if (name == "no_title") layout.title = layout.subtitle = layout.columns.label = "";
@@ -136,7 +139,8 @@ std::vector<NamedLayout> many_layouts() {
     if (name == "pages") layout.pages = {"light azimuth", {"0", "45", "90 and some more"}};
     if (name == "long_row" || name == "strip") layout.rows = {"", {""}};
     if (name == "long_column") layout.columns = {"", {""}};
-    if (name == "other_scripts") layout.columns.values = {"30\xc2\xb0 \xce\xb1 \xe7\xb7\x9a", "broken \xff\xc3"};
+    if (name == "other_scripts")
+      layout.columns.values = {"30\xc2\xb0 \xce\xb1 \xe7\xb7\x9a", "broken \xff\xc3"};
   }
   return all;
 }
@@ -146,7 +150,8 @@ class AnyGrid : public testing::TestWithParam<NamedLayout> {
   const GridLayout& layout() const { return GetParam().layout; }
   GridPlan plan_ = plan_grid(GetParam().layout);
 };
-INSTANTIATE_TEST_SUITE_P(Grid, AnyGrid, testing::ValuesIn(many_layouts()), [](const auto& p) { return p.param.name; });
+INSTANTIATE_TEST_SUITE_P(Grid, AnyGrid, testing::ValuesIn(many_layouts()),
+                         [](const auto& p) { return p.param.name; });
 
 TEST_P(AnyGrid, no_sheet_is_longer_than_allowed) {
   for (const GridSheet& sheet : plan_.sheets) {
@@ -158,7 +163,8 @@ TEST_P(AnyGrid, no_sheet_is_longer_than_allowed) {
 TEST_P(AnyGrid, nothing_leaves_its_sheet) {
   for (const GridSheet& sheet : plan_.sheets) {
     for (const Box& box : boxes_of(plan_, sheet)) {
-      ASSERT_TRUE(box.left >= 0 && box.top >= 0 && box.right <= sheet.width_px && box.bottom <= sheet.height_px)
+      ASSERT_TRUE(box.left >= 0 && box.top >= 0 && box.right <= sheet.width_px &&
+                  box.bottom <= sheet.height_px)
           << box.left << ' ' << box.top << ' ' << box.right << ' ' << box.bottom;
     }
   }
@@ -253,11 +259,13 @@ TEST(Grid, column_values_stand_centred_above_their_cells) {
 
 TEST(Grid, row_label_reads_upwards) {
   const GridPlan plan = plan_grid(layout_of(2, 2, 200, 200));
-  for (const GridLine& line : plan.sheets[0].lines) EXPECT_EQ(line.upwards, line.text == "k normal") << line.text;
+  for (const GridLine& line : plan.sheets[0].lines)
+    EXPECT_EQ(line.upwards, line.text == "k normal") << line.text;
 }
 
 TEST(Grid, type_grows_with_the_sheet) {
-  const GridPlan small = plan_grid(layout_of(2, 2, 256, 256)), large = plan_grid(layout_of(10, 10, 1024, 1024));
+  const GridPlan small = plan_grid(layout_of(2, 2, 256, 256)),
+                 large = plan_grid(layout_of(10, 10, 1024, 1024));
   for (const GridPlan& plan : {small, large}) {
     const double share = static_cast<double>(plan.text_px) / plan.sheets[0].width_px;
     EXPECT_GT(share, 1 / 80.0);
@@ -292,8 +300,9 @@ TEST(Grid, page_is_named_on_each_sheet) {
 class WrittenGrid : public testing::Test {
  protected:
   WrittenGrid()
-      : folder_(fs::path(testing::TempDir()) / ("grid_" + std::to_string(getpid()) +
-                                                testing::UnitTest::GetInstance()->current_test_info()->name())) {
+      : folder_(fs::path(testing::TempDir()) /
+                ("grid_" + std::to_string(getpid()) +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::remove_all(folder_);
   }
   ~WrittenGrid() override { fs::remove_all(folder_); }
@@ -337,14 +346,16 @@ TEST_F(WrittenGrid, cells_are_asked_for_once_in_order) {
 
 TEST_F(WrittenGrid, same_input_gives_same_bytes) {
   const GridLayout layout = layout_of(3, 2, 300, 200);
-  const std::string first = read_file(write_grid(folder_, layout, cells(layout), {{"inkbench:settings", "a"}})[0]);
+  const std::string first =
+      read_file(write_grid(folder_, layout, cells(layout), {{"inkbench:settings", "a"}})[0]);
   EXPECT_EQ(read_file(write_grid(folder_, layout, cells(layout), {{"inkbench:settings", "a"}})[0]), first);
 }
 
 TEST_F(WrittenGrid, text_entries_are_in_every_sheet) {
   GridLayout layout = layout_of(2, 2, 20, 20);
   layout.pages = {"p", {"1", "2"}};
-  for (const fs::path& path : write_grid(folder_, layout, cells(layout), {{"inkbench:settings", "a = 1\nb = 2"}})) {
+  for (const fs::path& path :
+       write_grid(folder_, layout, cells(layout), {{"inkbench:settings", "a = 1\nb = 2"}})) {
     EXPECT_EQ(read_image_text(path, "inkbench:settings"), "a = 1\nb = 2");
   }
 }

@@ -23,7 +23,8 @@ using namespace std::string_literals;
 
 class ImageFile : public testing::Test {
  protected:
-  ImageFile() : folder_(fs::path(testing::TempDir()) / ("image_file_" + std::to_string(getpid()) + test_name())) {
+  ImageFile()
+      : folder_(fs::path(testing::TempDir()) / ("image_file_" + std::to_string(getpid()) + test_name())) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
@@ -139,12 +140,19 @@ TEST_F(ImageFile, text_reads_back_exactly_from_png_and_exr) {
   std::string long_text;
   while (long_text.size() < 20000) long_text += "combine.k_depth = 0.003\n";
   const ImageText text = {{"inkbench:settings", "a = 1\n\tb = 2\r\n\n trailing \n"},
-                          {"inkbench:title", "Kanten \xc3\xbc""ber Fl\xc3\xa4" "chen \xe2\x89\xa5 3, \xe7\xb7\x9a"},
+                          {"inkbench:title",
+                           "Kanten \xc3\xbc"
+                           "ber Fl\xc3\xa4"
+                           "chen \xe2\x89\xa5 3, \xe7\xb7\x9a"},
                           {"long", long_text},
                           {"long, not ASCII", long_text + "\xc3\xa9"},
                           {"empty", ""},
-                          {"Title", "t"}, {"Author", "a"}, {"Description", "d"}, {"Software", "s"},
-                          {"DateTime", "not a date"}, {"compression test", "rle"},
+                          {"Title", "t"},
+                          {"Author", "a"},
+                          {"Description", "d"},
+                          {"Software", "s"},
+                          {"DateTime", "not a date"},
+                          {"compression test", "rle"},
                           {std::string(79, 'n'), "a long name"}};
   write_png(file("t.png"), noise(4, 4, 3), text);
   write_exr(file("t.exr"), Image(4, 4, 1), text);
@@ -168,7 +176,8 @@ TEST_F(ImageFile, png_other_text_is_utf8_by_the_standard) {
 TEST_F(ImageFile, exr_keeps_every_bit) {
   for (const int channels : {1, 3, 4}) {
     Image image(5, 40, channels);
-    for (size_t i = 0; i < image.samples.size(); ++i) image.samples[i] = static_cast<float>(i) * 1e-30F - 3e-29F;
+    for (size_t i = 0; i < image.samples.size(); ++i)
+      image.samples[i] = static_cast<float>(i) * 1e-30F - 3e-29F;
     image.samples[0] = std::numeric_limits<float>::quiet_NaN();
     image.samples[1] = std::numeric_limits<float>::infinity();
     image.samples[2] = -std::numeric_limits<float>::infinity();
@@ -199,8 +208,10 @@ TEST_F(ImageFile, channels_are_converted_as_documented) {
   write_png(file("grey.png"), grey, {});
   write_png(file("colour.png"), colour, {});
   EXPECT_EQ(read_picture(file("grey.png"), 3).samples, (std::vector<uint8_t>{7, 7, 7, 250, 250, 250}));
-  EXPECT_EQ(read_picture(file("grey.png"), 4).samples, (std::vector<uint8_t>{7, 7, 7, 255, 250, 250, 250, 255}));
-  EXPECT_EQ(read_picture(file("colour.png"), 4).samples, (std::vector<uint8_t>{255, 0, 0, 255, 0, 255, 0, 255}));
+  EXPECT_EQ(read_picture(file("grey.png"), 4).samples,
+            (std::vector<uint8_t>{7, 7, 7, 255, 250, 250, 250, 255}));
+  EXPECT_EQ(read_picture(file("colour.png"), 4).samples,
+            (std::vector<uint8_t>{255, 0, 0, 255, 0, 255, 0, 255}));
   EXPECT_EQ(read_picture(file("colour.png"), 1).samples, (std::vector<uint8_t>{54, 182}));
 }
 
@@ -230,8 +241,8 @@ std::string tiny_png(const std::string& size, char bits, char colour_type, const
   const std::string data = "\x78\x01\x01"s + length + '\0' + static_cast<char>(~length) + '\xff' + row +
                            static_cast<char>(b >> 8) + static_cast<char>(b) + static_cast<char>(a >> 8) +
                            static_cast<char>(a);
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + bits + colour_type + "\0\0\0"s) + more + chunk("IDAT", data) +
-         chunk("IEND", "");
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + bits + colour_type + "\0\0\0"s) + more +
+         chunk("IDAT", data) + chunk("IEND", "");
 }
 
 TEST_F(ImageFile, palette_and_16_bit_png_are_read) {
@@ -261,7 +272,8 @@ TEST_F(ImageFile, files_that_are_no_image_are_input_errors_that_name_the_file) {
   write("junk", std::string(5000, 'x'));
   for (const std::string name :
        {"missing.png", "folder.png", "empty.png", "junk.png", "junk.jpg", "junk.exr", "junk.tga", "junk"}) {
-    EXPECT_THAT(error_of([&] { read_picture(file(name), 3); }), testing::StartsWith("input: " + file(name).string()));
+    EXPECT_THAT(error_of([&] { read_picture(file(name), 3); }),
+                testing::StartsWith("input: " + file(name).string()));
     EXPECT_THAT(error_of([&] { read_image_text(file(name), "x"); }), testing::StartsWith("input: ")) << name;
   }
 }
@@ -336,7 +348,8 @@ TEST_F(ImageFile, old_picture_stays_when_the_new_one_fails) {
 
 TEST_F(ImageFile, folder_that_cannot_be_made_is_a_work_error) {
   write("plain", "x");
-  EXPECT_THAT(error_of([&] { write_png(file("plain") / "p.png", noise(4, 4, 3), {}); }), testing::StartsWith("work: "));
+  EXPECT_THAT(error_of([&] { write_png(file("plain") / "p.png", noise(4, 4, 3), {}); }),
+              testing::StartsWith("work: "));
 }
 
 TEST_F(ImageFile, threads_write_and_read_at_once) {
@@ -349,7 +362,8 @@ TEST_F(ImageFile, threads_write_and_read_at_once) {
         const Picture picture = noise(61, 33, 3, static_cast<uint32_t>(t * 100 + i));
         write_png(file(name + ".png"), picture, {{"n", name}});
         write_exr(file(name + ".exr"), Image(31, 17, 3, static_cast<float>(i)), {});
-        good[t] += read_picture(file(name + ".png"), 3) == picture && read_image(file(name + ".exr")).at(3, 4) == i &&
+        good[t] += read_picture(file(name + ".png"), 3) == picture &&
+                   read_image(file(name + ".exr")).at(3, 4) == i &&
                    read_image_text(file(name + ".png"), "n") == name;
       }
     });

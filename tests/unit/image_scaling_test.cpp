@@ -23,7 +23,8 @@ TEST(Scaling, flat_picture_keeps_each_of_its_256_codes) {
 TEST(Scaling, black_and_white_mix_to_half_the_light) {
   Picture picture(2, 1, 1);
   picture.samples = {0, 255};
-  EXPECT_EQ(scaled(picture, 1, 1).samples, (std::vector<uint8_t>{188}));  // sRGB code of 0.5; its mean code is 128.
+  EXPECT_EQ(scaled(picture, 1, 1).samples,
+            (std::vector<uint8_t>{188}));  // sRGB code of 0.5; its mean code is 128.
 }
 
 TEST(Scaling, pixels_count_by_the_area_they_cover) {
@@ -38,13 +39,15 @@ TEST(Scaling, nothing_leaves_the_range_beside_an_edge) {
   for (int y = 0; y < 64; ++y) {
     for (int x = 30; x < 64; ++x) picture.at(x, y) = 200;
   }
-  EXPECT_THAT(scaled(picture, 23, 23).samples, testing::Each(testing::AllOf(testing::Ge(100), testing::Le(200))));
+  EXPECT_THAT(scaled(picture, 23, 23).samples,
+              testing::Each(testing::AllOf(testing::Ge(100), testing::Le(200))));
 }
 
 TEST(Scaling, whole_factor_up_repeats_pixels) {
   Picture picture(2, 1, 3);
   picture.samples = {1, 2, 3, 200, 210, 220};
-  EXPECT_EQ(scaled(picture, 4, 1).samples, (std::vector<uint8_t>{1, 2, 3, 1, 2, 3, 200, 210, 220, 200, 210, 220}));
+  EXPECT_EQ(scaled(picture, 4, 1).samples,
+            (std::vector<uint8_t>{1, 2, 3, 1, 2, 3, 200, 210, 220, 200, 210, 220}));
 }
 
 }  // namespace

@@ -24,7 +24,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-
 const std::string kTetrahedronObj =
     "v 0 0 0\n"
     "v 1 0 0\n"

@@ -36,7 +36,8 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The message of the Error that `act` throws, of the kind `input` unless said otherwise; "" (and a failure) without one.
+/// The message of the Error that `act` throws, of the kind `input` unless said otherwise; "" (and a failure)
+/// without one.
 template <class Act>
 std::string error_of(const Act& act, ErrorKind kind = ErrorKind::input) {
   try {

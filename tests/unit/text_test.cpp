@@ -56,7 +56,8 @@ TEST(Shortest, every_double_reads_back_the_same) {
 
 TEST(Shortest, the_extremes_read_back_the_same) {
   using Float = std::numeric_limits<float>;
-  for (const float value : {Float::min(), Float::max(), Float::lowest(), Float::denorm_min(), Float::epsilon()}) {
+  for (const float value :
+       {Float::min(), Float::max(), Float::lowest(), Float::denorm_min(), Float::epsilon()}) {
     EXPECT_EQ(read_back<float>(shortest(value)), value);
   }
 }

@@ -19,7 +19,8 @@ TEST(WorkerPool, all_work_is_done_once_whatever_the_threads) {
     WorkerPool pool(threads, 3);
     for (std::atomic<int>& count : times) pool.add([&] { ++count; });
     pool.wait();
-    for (size_t i = 0; i < times.size(); ++i) ASSERT_EQ(times[i], 1) << "work " << i << " on " << threads << " threads";
+    for (size_t i = 0; i < times.size(); ++i)
+      ASSERT_EQ(times[i], 1) << "work " << i << " on " << threads << " threads";
   }
 }
 

@@ -1,0 +1,106 @@
+// Bytes as a scene, as a study's spec and as a `--set`: nothing but an inkbench::Error may come out besides
+// settings that survive being written and read again. The first byte chooses.
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "pipeline/base/error.h"
+#include "pipeline/base/text.h"
+#include "pipeline/params/toml_value.h"
+#include "pipeline/scene/settings_file.h"
+#include "studies/sweep/spec.h"
+
+namespace inkbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+/// An empty folder for the whole run: what inputs refer to is not there.
+const fs::path& empty_folder() {
+  static const struct Scratch {
+    Scratch() {
+      std::string pattern = (fs::temp_directory_path() / "inkbench_fuzz_XXXXXX").string();
+      require(mkdtemp(pattern.data()) != nullptr);
+      folder = pattern;
+    }
+    ~Scratch() { fs::remove_all(folder); }
+    fs::path folder;
+  } scratch;
+  return scratch.folder;
+}
+
+/// Reading what was accepted cannot fail: an Error here is a finding, so none may pass.
+void check_survives(Settings settings) {
+  try {
+    const std::string text = settings_text(settings);
+    Settings again = parse_settings(text, "again.toml", "/elsewhere");
+    require(settings_text(again) == text);
+    const std::vector<Param> before = list_params(settings);
+    const std::vector<Param> after = list_params(again);
+    require(before.size() == after.size());
+    for (size_t i = 0; i < before.size(); ++i) {
+      require(before[i].key == after[i].key && before[i].value() == after[i].value());
+    }
+  } catch (const Error&) {
+    require(false);
+  }
+}
+
+void read_scene(std::string_view text) {
+  check_survives(parse_settings(text, "fuzz.toml", empty_folder()));
+}
+
+void read_spec(const std::string& text) {
+  const StudySpec spec = parse_spec(text, empty_folder() / "fuzz.toml", {});
+  const size_t count = cell_count(spec);
+  require(count > 0 && !spec.show.empty() && spec.axes.size() <= 3);
+  for (const size_t index : {size_t{0}, count / 2, count - 1}) {
+    const Cell cell = make_cell(spec, index);
+    require(cell.index == index);
+    check_survives(cell_settings(spec, cell));
+  }
+}
+
+/// "KEY=VALUE" on a scene with a model and a light.
+void set_value(const std::string& assignment) {
+  Settings settings;
+  settings.models.emplace_back().name = "m";
+  settings.lights.emplace_back().name = "l";
+  apply_assignment(settings, assignment);
+  check_survives(settings);
+  const size_t equals = assignment.find('=');
+  const Param param = find_param(settings, std::string(trim(assignment.substr(0, equals))), "");
+  require(value_from_text(param, to_text(param.value()), "") == param.value());
+}
+
+void feed(uint8_t choice, const std::string& text) {
+  switch (choice % 3) {
+    case 0:
+      return read_scene(text);
+    case 1:
+      return read_spec(text);
+    default:
+      return set_value(text);
+  }
+}
+
+}  // namespace
+}  // namespace inkbench
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  if (size == 0) return 0;
+  try {
+    inkbench::feed(data[0], std::string(reinterpret_cast<const char*>(data) + 1, size - 1));
+  } catch (const inkbench::Error&) {
+    // Refusing bad input is right.
+  }
+  return 0;
+}

@@ -1,0 +1,118 @@
+// The journal: whole lines are read, damaged ones are not, and files count only as long as they are
+// unchanged.
+#include "studies/sweep/journal.h"
+
+#include <gmock/gmock.h>
+
+#include "pipeline/base/files.h"
+#include "tests/unit/support.h"
+
+namespace inkbench {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+CellRecord record(size_t index) {
+  return {index, "key" + std::to_string(index), {"0.25", "4096"}, {{"cells/a.png", 12, "hash"}}};
+}
+
+class Journal : public ::testing::Test {
+ protected:
+  std::map<size_t, CellRecord> read(const std::string& content) {
+    return read_journal(folder_.write("journal.jsonl", content));
+  }
+  const TemporaryFolder folder_;
+};
+
+TEST_F(Journal, lines_read_back_as_written) {
+  CellRecord awkward = record(7);
+  awkward.numbers = {"a \"b\"\n\\", "caf\xc3\xa9", ""};
+  awkward.files = {{"one", 0, ""}, {"two, \"three\"", 18'446'744'073'709'551'615ULL, "h"}};
+  const auto records = read(journal_line(record(0)) + journal_line(awkward));
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records.at(0).key, "key0");
+  EXPECT_EQ(records.at(7).index, 7U);
+  EXPECT_EQ(records.at(7).numbers, awkward.numbers);
+  ASSERT_EQ(records.at(7).files.size(), 2U);
+  EXPECT_EQ(records.at(7).files[1].name, awkward.files[1].name);
+  EXPECT_EQ(records.at(7).files[1].bytes, awkward.files[1].bytes);
+  EXPECT_EQ(records.at(7).files[1].hash, "h");
+}
+
+TEST_F(Journal, a_record_is_one_line) {
+  CellRecord awkward = record(1);
+  awkward.numbers = {"two\nlines"};
+  const std::string line = journal_line(awkward);
+  EXPECT_EQ(line.find('\n'), line.size() - 1);
+}
+
+TEST_F(Journal, a_torn_last_line_is_left_out_wherever_it_was_torn) {
+  const std::string whole = journal_line(record(0));
+  const std::string torn = journal_line(record(1));
+  for (size_t size = 0; size + 1 < torn.size(); ++size) {
+    const auto records = read(whole + torn.substr(0, size));
+    ASSERT_EQ(records.size(), 1U) << "after " << size << " bytes";
+    ASSERT_TRUE(records.contains(0));
+  }
+}
+
+TEST_F(Journal, garbage_is_left_out_and_what_follows_is_read) {
+  for (const std::string& garbage :
+       {std::string("garbage"), std::string("{}"), std::string("[]"), std::string("null"), std::string("3"),
+        std::string(), std::string("{\"cell\":\"0\",\"key\":\"k\",\"numbers\":[],\"files\":[]}"),
+        std::string("{\"cell\":0,\"key\":0,\"numbers\":[],\"files\":[]}"),
+        std::string("{\"cell\":0,\"key\":\"k\",\"numbers\":[1],\"files\":[]}"),
+        std::string("{\"cell\":0,\"key\":\"k\",\"numbers\":[],\"files\":[{}]}"),
+        std::string("{\"cell\":0,\"key\":\"k\",\"numbers\":[],\"files\":[1]}"), std::string("\xff\0\x01", 3),
+        std::string(100'000, '[')}) {
+    const auto records = read(garbage + "\n" + journal_line(record(3)));
+    ASSERT_EQ(records.size(), 1U) << garbage.substr(0, 80);
+    EXPECT_TRUE(records.contains(3));
+  }
+}
+
+TEST_F(Journal, of_two_lines_of_a_cell_the_later_counts) {
+  CellRecord later = record(0);
+  later.key = "later";
+  EXPECT_EQ(read(journal_line(record(0)) + journal_line(later)).at(0).key, "later");
+}
+
+TEST_F(Journal, none_is_empty) {
+  EXPECT_TRUE(read_journal(folder_.path() / "none").empty());
+  EXPECT_TRUE(read_journal(folder_.path()).empty()) << "a folder";
+  EXPECT_TRUE(read("").empty());
+}
+
+TEST_F(Journal, files_are_intact_until_they_change) {
+  folder_.write("cells/a.png", "0123456789");
+  folder_.write("cells/b.png", "");
+  const CellRecord cell{
+      0, "k", {}, {record_file(folder_.path(), "cells/a.png"), record_file(folder_.path(), "cells/b.png")}};
+  EXPECT_EQ(cell.files[0].bytes, 10U);
+  EXPECT_EQ(cell.files[1].bytes, 0U);
+  EXPECT_NE(cell.files[0].hash, cell.files[1].hash);
+  EXPECT_TRUE(files_intact(folder_.path(), cell));
+  folder_.write("cells/a.png", "0123456780");
+  EXPECT_FALSE(files_intact(folder_.path(), cell)) << "another byte";
+  folder_.write("cells/a.png", "012345678");
+  EXPECT_FALSE(files_intact(folder_.path(), cell)) << "a shorter file";
+  folder_.write("cells/a.png", "0123456789");
+  EXPECT_TRUE(files_intact(folder_.path(), cell));
+  fs::remove(folder_.path() / "cells/b.png");
+  EXPECT_FALSE(files_intact(folder_.path(), cell)) << "a missing file";
+  fs::create_directory(folder_.path() / "cells/b.png");
+  EXPECT_FALSE(files_intact(folder_.path(), cell)) << "a folder in its place";
+}
+
+TEST_F(Journal, a_record_without_files_is_intact) {
+  EXPECT_TRUE(files_intact(folder_.path(), {}));
+}
+
+TEST_F(Journal, recording_a_missing_file_is_an_error) {
+  EXPECT_THAT(error_of([&] { record_file(folder_.path(), "none.png"); }),
+              HasSubstr("none.png: no such file"));
+}
+
+}  // namespace
+}  // namespace inkbench
