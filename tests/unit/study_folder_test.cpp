@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <optional>
 #include <thread>
 
 #include "pipeline/base/files.h"
@@ -195,8 +196,10 @@ TEST_F(Resume, drops_records_with_other_numbers) {
 }
 
 TEST_F(StudyFolderTest, files_get_more_digits_in_large_studies) {
-  const StudyFolder small(spec_, folder_.path(), keys_of(9999), false);
-  EXPECT_EQ(small.cell_file(0, BufferName::final), "cells/0001_final.png");
+  {
+    const StudyFolder small(spec_, folder_.path(), keys_of(9999), false);
+    EXPECT_EQ(small.cell_file(0, BufferName::final), "cells/0001_final.png");
+  }
   const StudyFolder large(spec_, folder_.path(), keys_of(10'000), false);
   EXPECT_EQ(large.cell_file(0, BufferName::final), "cells/00001_final.png");
 }
@@ -213,7 +216,8 @@ TEST_F(StudyFolderTest, a_study_that_outgrew_its_digits_draws_again_what_data_cs
 TEST_F(StudyFolderTest, threads_may_add_at_the_same_time) {
   spec_ = parse_spec("[[axis]]\nkey = \"combine.k_depth\"\nfrom = 0.01\nto = 1\ncount = 200\n",
                      "/studies/s.toml", {});
-  StudyFolder study = open();
+  std::optional<StudyFolder> held(std::in_place, spec_, folder_.path(), keys_of(200), false);
+  StudyFolder& study = *held;
   std::vector<std::thread> threads;
   for (size_t first = 0; first < 4; ++first) {
     threads.emplace_back([&, first] {
@@ -226,6 +230,7 @@ TEST_F(StudyFolderTest, threads_may_add_at_the_same_time) {
   EXPECT_EQ(std::count(grown.begin(), grown.end(), '\n'), 201);
   study.finish();
   EXPECT_EQ(data().size(), grown.size()) << "the same rows, sorted";
+  held.reset();  // lets go of the folder
   EXPECT_EQ(open().done_count(), 200U);
 }
 
