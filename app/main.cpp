@@ -27,6 +27,8 @@ int run(int argc, char** argv) {
       "`inkbench COMMAND --help` explains a command.");
   inkbench::add_render_command(app);
   inkbench::add_study_command(app);
+  inkbench::add_score_command(app);
+  inkbench::add_decimate_command(app);
   inkbench::add_params_command(app);
   inkbench::add_info_command(app);
   try {
@@ -39,7 +41,7 @@ int run(int argc, char** argv) {
     if (error.get_name() == "RequiredError" && app.get_subcommands().empty()) {
       const std::vector<std::string> words = app.remaining();
       text = (words.empty() ? "which command?" : "there is no '" + words.front() + "'; which command?") +
-             " render, study, params or info";
+             " render, study, score, decimate, params or info";
     }
     return fail(text + "; `inkbench --help` shows how it is used", 2);
   }

@@ -26,6 +26,11 @@ std::string ramp_content(const Ramp& ramp) {
   return ramp.image.empty() ? "" : read_file(ramp.image);
 }
 
+/// `settings.mesh` is about the main model; the others are drawn as they are.
+MeshParams level_of(const Settings& settings, size_t model) {
+  return main_model_index(settings) == model ? settings.mesh : MeshParams{};
+}
+
 ShadeParams shade_params(const Settings& settings) {
   ShadeParams params{settings.camera, settings.scene, settings.lights, {}, settings.ramp};
   for (const ModelParams& model : settings.models) params.materials.push_back(model.material);
@@ -68,9 +73,10 @@ PassKeys Pipeline::keys(const Settings& settings) {
   KeyBuilder meshes;
   KeyBuilder gbuffer;
   gbuffer.add("gbuffer").add(gbuffer_pass_.program().key()).add(size).add(group_text(settings.camera));
-  for (const ModelParams& model : settings.models) {
+  for (size_t i = 0; i < settings.models.size(); ++i) {
+    const ModelParams& model = settings.models[i];
     gbuffer.add(group_text(model));
-    if (model.visible) meshes.add(meshes_.identity(model));
+    if (model.visible) meshes.add(meshes_.identity(model, level_of(settings, i)));
   }
   keys.meshes = meshes.key();
   keys.gbuffer = gbuffer.add(keys.meshes).key();
@@ -110,13 +116,13 @@ std::vector<DrawItem> Pipeline::draw_items(const Settings& settings) {
   std::vector<Key> used;
   for (size_t i = 0; i < settings.models.size(); ++i) {
     const ModelParams& model = settings.models[i];
-    if (model.visible) used.push_back(meshes_.identity(model));
+    if (model.visible) used.push_back(meshes_.identity(model, level_of(settings, i)));
   }
   meshes_.keep_only(used);
   for (size_t i = 0; i < settings.models.size(); ++i) {
     const ModelParams& model = settings.models[i];
     if (!model.visible) continue;
-    const GpuMesh& mesh = meshes_.get(model);
+    const GpuMesh& mesh = meshes_.get(model, level_of(settings, i));
     items.push_back({&mesh, model_matrix(model, mesh.bounds()), static_cast<int>(i) + 1});
   }
   return items;

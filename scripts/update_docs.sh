@@ -10,10 +10,10 @@ mkdir -p docs/images
 for figure in "$out"/figures/*/; do
   cp "$figure/grid.png" "docs/images/$(basename "$figure").png"
 done
-./run study studies/k_comparison.toml --out "$out/k_comparison" >/dev/null
-cp "$out/k_comparison/grid.png" docs/images/k_comparison.png
-./run study studies/buffers.toml --out "$out/buffers" >/dev/null
-cp "$out/buffers/grid.png" docs/images/buffers.png
+for study in k_comparison buffers fewer_triangles; do
+  ./run study "studies/$study.toml" --out "$out/$study" >/dev/null
+  cp "$out/$study/grid.png" "docs/images/$study.png"
+done
 
 marker='<!-- generated: inkbench params --format markdown -->'
 sed "/^$marker\$/q" docs/parameters.md >"$out/parameters.md"

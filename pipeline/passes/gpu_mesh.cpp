@@ -6,7 +6,9 @@
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
 #include "pipeline/mesh/closed.h"
+#include "pipeline/mesh/collapse_record_file.h"
 #include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/subdivide.h"
 
 namespace inkbench {
 namespace {
@@ -49,7 +51,7 @@ Key MeshStore::content_key(const std::string& path) {
   return state.content;
 }
 
-Key MeshStore::identity(const ModelParams& model) {
+Key MeshStore::full_identity(const ModelParams& model) {
   KeyBuilder builder;
   builder.add(std::to_string(static_cast<int>(model.shape)));
   if (model.shape == Shape::mesh) {
@@ -61,13 +63,43 @@ Key MeshStore::identity(const ModelParams& model) {
       .key();
 }
 
-const GpuMesh& MeshStore::get(const ModelParams& model) {
-  const Key key = identity(model);
+Key MeshStore::identity(const ModelParams& model, const MeshParams& level) {
+  const Key full = full_identity(model);
+  if (level == MeshParams{}) return full;
+  KeyBuilder builder;
+  builder.add(full).add(std::to_string(level.faces)).add(std::to_string(level.subdivide));
+  return builder.add(kLevelNormalsNames[static_cast<size_t>(level.normals)]).key();
+}
+
+Mesh MeshStore::mesh(const ModelParams& model, const MeshParams& level) {
+  if (level == MeshParams{}) return make_model_mesh(model);
+  const Key key = full_identity(model);
+  if (!ladder_ || ladder_->key != key || ladder_->rounds != level.subdivide) {
+    ladder_.reset();
+    Mesh full = make_model_mesh(model);
+    Mesh subdivided = subdivide_mesh(full, level.subdivide);
+    ladder_ = LadderSource{key, level.subdivide, std::move(full), std::move(subdivided), std::nullopt};
+  }
+  const bool decimates =
+      level.faces > 0 && static_cast<size_t>(level.faces) < ladder_->subdivided.triangles.size();
+  if (!decimates) {
+    Mesh whole = ladder_->subdivided;
+    // As loaded, smooth leaves the normals that a file may give.
+    if (level.normals != LevelNormals::smooth) apply_level_normals(whole, level.normals, ladder_->full);
+    return whole;
+  }
+  if (!ladder_->record) ladder_->record = cached_collapse_record(ladder_->subdivided);
+  return level_with_normals(ladder_->subdivided, *ladder_->record, static_cast<size_t>(level.faces),
+                            level.normals);
+}
+
+const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level) {
+  const Key key = identity(model, level);
   const auto found = meshes_.find(key);
   if (found != meshes_.end()) return found->second;
-  const Mesh mesh = make_model_mesh(model);
-  for (const std::string& note : mesh.notes) log_note("model '" + model.name + "': " + note);
-  return meshes_.emplace(key, GpuMesh("mesh of " + model.name, mesh)).first->second;
+  const Mesh drawn = mesh(model, level);
+  for (const std::string& note : drawn.notes) log_note("model '" + model.name + "': " + note);
+  return meshes_.emplace(key, GpuMesh("mesh of " + model.name, drawn)).first->second;
 }
 
 void MeshStore::keep_only(std::span<const Key> keys) {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 
 #include "pipeline/base/key.h"
 #include "pipeline/gl/object.h"
+#include "pipeline/mesh/collapse_record.h"
 #include "pipeline/mesh/mesh.h"
+#include "pipeline/scene/mesh_params.h"
 #include "pipeline/scene/model.h"
 
 namespace inkbench {
@@ -31,9 +34,12 @@ class MeshStore {
  public:
   /// Decides what `get` gives: the shape's parameters, or the file's content. Errors (input): the file cannot
   /// be read.
-  Key identity(const ModelParams& model);
-  /// Loads and uploads the first time. Errors (input): as `load_mesh_file`; its notes go to the log.
-  const GpuMesh& get(const ModelParams& model);
+  Key identity(const ModelParams& model, const MeshParams& level);
+  /// Loads and uploads the first time. Errors (input): as `load_mesh_file`; its notes go to the log. The full
+  /// mesh and the record of its collapses stay, so that another level of it takes milliseconds.
+  const GpuMesh& get(const ModelParams& model, const MeshParams& level);
+  /// The mesh that `get` draws, in memory.
+  Mesh mesh(const ModelParams& model, const MeshParams& level);
   /// Frees all meshes that are not among these.
   void keep_only(std::span<const Key> keys);
 
@@ -42,10 +48,19 @@ class MeshStore {
     int64_t size = 0, time = 0;
     Key content;
   };
+  /// The model whose levels are asked for.
+  struct LadderSource {
+    Key key;         ///< Of the full mesh.
+    int rounds = 0;  ///< Of subdivision.
+    Mesh full, subdivided;
+    std::optional<CollapseRecord> record;  ///< Of `subdivided`, made when a level is first asked for.
+  };
   Key content_key(const std::string& path);
+  Key full_identity(const ModelParams& model);
 
   std::map<Key, GpuMesh> meshes_;
   std::map<std::string, FileState> files_;
+  std::optional<LadderSource> ladder_;
 };
 
 }  // namespace inkbench

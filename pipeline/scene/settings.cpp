@@ -36,6 +36,7 @@ std::vector<ParamGroup> groups_where(Settings& settings, const Wanted& wanted) {
     add("model." + model.name, ModelParams::description(), &model);
     add("model." + model.name + ".material", MaterialParams::description(), &model.material);
   }
+  add("mesh", MeshParams::description(), &settings.mesh);
   for (LightParams& light : settings.lights) {
     if (wanted("light", light.name)) add("light." + light.name, LightParams::description(), &light);
   }
@@ -138,12 +139,17 @@ void check_settings(const Settings& settings) {
   }
 }
 
-ModelParams& main_model(Settings& settings) {
-  for (ModelParams& model : settings.models) {
-    if (model.shape == Shape::mesh) return model;
+std::optional<size_t> main_model_index(const Settings& settings) {
+  for (size_t i = 0; i < settings.models.size(); ++i) {
+    if (settings.models[i].shape == Shape::mesh) return i;
   }
-  if (settings.models.empty()) throw input_error("scene", "has no models", "add a [[model]] table");
-  return settings.models.front();
+  return settings.models.empty() ? std::nullopt : std::optional<size_t>(0);
+}
+
+ModelParams& main_model(Settings& settings) {
+  const std::optional<size_t> index = main_model_index(settings);
+  if (!index) throw input_error("scene", "has no models", "add a [[model]] table");
+  return settings.models[*index];
 }
 
 }  // namespace inkbench

@@ -2,6 +2,7 @@
 // `--set`, studies, keys, tables) reach parameters through `list_params`.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "pipeline/passes/ink_params.h"
 #include "pipeline/scene/camera.h"
 #include "pipeline/scene/light.h"
+#include "pipeline/scene/mesh_params.h"
 #include "pipeline/scene/model.h"
 #include "pipeline/scene/ramp.h"
 #include "pipeline/scene/scene_params.h"
@@ -25,6 +27,7 @@ struct Settings {
   SceneParams scene;
   std::vector<LightParams> lights;
   std::vector<ModelParams> models;
+  MeshParams mesh;
   RampParams ramp;
   CombineParams combine;
   InkParams ink;
@@ -56,5 +59,8 @@ void check_settings(const Settings& settings);
 
 /// The model that `--mesh` replaces: the first one that is a mesh, else the first. Errors (input): no models.
 ModelParams& main_model(Settings& settings);
+
+/// Its place in `models`, or nothing where there are none.
+std::optional<size_t> main_model_index(const Settings& settings);
 
 }  // namespace inkbench

@@ -1,0 +1,152 @@
+#include "pipeline/mesh/weld.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "pipeline/base/error.h"
+#include "pipeline/base/text.h"
+
+namespace inkbench {
+namespace {
+
+constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+
+/// Three whole numbers, held as doubles since a tiny tolerance leaves the range of integers.
+using Cell = std::array<double, 3>;
+
+uint64_t hash_of(const Cell& cell) {
+  uint64_t hash = 0x9e3779b97f4a7c15ULL;
+  for (const double coordinate : cell) {
+    // Adding zero turns -0 into +0, which compares equal and must hash equal.
+    hash = (hash ^ std::bit_cast<uint64_t>(coordinate + 0.0)) * 0xff51afd7ed558ccdULL;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+/// Vertices chained by the hash of their cell.
+class CellTable {
+ public:
+  explicit CellTable(size_t vertices)
+      : heads_(std::bit_ceil(std::max<size_t>(vertices, 1) * 2), kNone), next_(vertices, kNone) {}
+
+  void insert(const Cell& cell, uint32_t vertex) {
+    uint32_t& head = heads_[slot(cell)];
+    next_[vertex] = head;
+    head = vertex;
+  }
+
+  /// Calls `visit(vertex)` for all that share the cell's slot, which may hold other cells' too.
+  template <class Visit>
+  void visit(const Cell& cell, Visit&& visit) const {
+    for (uint32_t vertex = heads_[slot(cell)]; vertex != kNone; vertex = next_[vertex]) visit(vertex);
+  }
+
+ private:
+  size_t slot(const Cell& cell) const { return hash_of(cell) & (heads_.size() - 1); }
+
+  std::vector<uint32_t> heads_;
+  std::vector<uint32_t> next_;
+};
+
+/// For each vertex the first unmerged one within the tolerance.
+std::vector<uint32_t> first_within(const std::vector<glm::vec3>& positions, double tolerance) {
+  CellTable table(positions.size());
+  std::vector<uint32_t> first(positions.size());
+  const auto cell_of = [&](uint32_t vertex, const glm::ivec3& offset) {
+    Cell cell;
+    for (int axis = 0; axis < 3; ++axis)
+      cell[axis] = std::floor(static_cast<double>(positions[vertex][axis]) / tolerance) + offset[axis];
+    return cell;
+  };
+  for (uint32_t vertex = 0; vertex < positions.size(); ++vertex) {
+    uint32_t best = vertex;
+    for (int i = 0; i < 27; ++i) {
+      table.visit(cell_of(vertex, {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1}), [&](uint32_t other) {
+        const glm::dvec3 gap = glm::dvec3(positions[vertex]) - glm::dvec3(positions[other]);
+        if (glm::dot(gap, gap) <= tolerance * tolerance) best = std::min(best, other);
+      });
+    }
+    first[vertex] = best;
+    if (best == vertex) table.insert(cell_of(vertex, glm::ivec3(0)), vertex);
+  }
+  return first;
+}
+
+std::string counted(size_t count, const char* one, const char* many) {
+  return with_commas(static_cast<long long>(count)) + " " + (count == 1 ? one : many);
+}
+
+/// The mean of normals, or the first where they cancel.
+glm::vec3 mean_normal(const glm::dvec3& sum, const glm::vec3& first) {
+  const double length = glm::length(sum);
+  return length > 1e-6 ? glm::vec3(sum / length) : first;
+}
+
+}  // namespace
+
+std::vector<uint32_t> first_at_same_position(const std::vector<glm::vec3>& positions) {
+  CellTable table(positions.size());
+  std::vector<uint32_t> first(positions.size());
+  for (uint32_t vertex = 0; vertex < positions.size(); ++vertex) {
+    const glm::vec3& p = positions[vertex];
+    const Cell cell{p.x, p.y, p.z};
+    uint32_t found = vertex;
+    table.visit(cell, [&](uint32_t other) {
+      if (positions[other] == p) found = other;
+    });
+    first[vertex] = found;
+    if (found == vertex) table.insert(cell, vertex);
+  }
+  return first;
+}
+
+WeldResult weld(const Mesh& mesh, float tolerance) {
+  if (!(tolerance >= 0.0F) || !std::isfinite(tolerance))
+    throw input_error("weld", "bad tolerance " + shortest(tolerance), "0 or more, in the mesh's units");
+  const std::vector<uint32_t> first =
+      tolerance == 0.0F ? first_at_same_position(mesh.positions) : first_within(mesh.positions, tolerance);
+  WeldResult result;
+  Mesh& welded = result.mesh;
+  std::vector<uint32_t> renumbered(first.size(), kNone);
+  std::vector<glm::dvec3> sums;
+  for (uint32_t vertex = 0; vertex < first.size(); ++vertex) {
+    if (first[vertex] == vertex) {
+      renumbered[vertex] = static_cast<uint32_t>(welded.positions.size());
+      welded.positions.push_back(mesh.positions[vertex]);
+      welded.normals.push_back(mesh.normals[vertex]);
+      sums.emplace_back(0.0);
+    } else {
+      renumbered[vertex] = renumbered[first[vertex]];
+      ++result.merged_vertices;
+    }
+    sums[renumbered[vertex]] += glm::dvec3(mesh.normals[vertex]);
+  }
+  for (size_t i = 0; i < sums.size(); ++i) welded.normals[i] = mean_normal(sums[i], welded.normals[i]);
+  for (const auto& t : mesh.triangles) {
+    const std::array<uint32_t, 3> corners{renumbered[t[0]], renumbered[t[1]], renumbered[t[2]]};
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+      ++result.dropped_triangles;
+    } else {
+      welded.triangles.push_back(corners);
+    }
+  }
+  welded.notes = mesh.notes;
+  if (result.merged_vertices > 0) {
+    welded.notes.push_back(fmt::format(
+        "Merged {} into others at the same place{}.", counted(result.merged_vertices, "vertex", "vertices"),
+        result.dropped_triangles == 0
+            ? ""
+            : ", which left " + counted(result.dropped_triangles, "triangle", "triangles") +
+                  " without area, dropped"));
+  }
+  return result;
+}
+
+}  // namespace inkbench

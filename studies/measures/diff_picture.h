@@ -1,0 +1,18 @@
+// A picture of where a prediction is right and wrong. In: prediction, reference and the tolerance. Out: an
+// RGB picture with a legend below it.
+#pragma once
+
+#include "studies/measures/line_map.h"
+
+namespace inkbench {
+
+/// On white, one colour each: what the reference's thinned lines miss and what the prediction's thinned lines
+/// have right and wrong, by one maximum matching, and pale grey for the rest of the prediction's ink. The
+/// colours (Okabe and Ito's black, blue and vermillion) differ in every form of colour blindness. Where
+/// colours meet, false is drawn over missed and missed over matched. The legend, with counts, is left out
+/// where it is wider than the image. H + 24 (or H) x W x 3. Maps of the same size.
+Picture diff_picture(const LineMap& prediction, const LineMap& reference, double tolerance_px);
+
+inline constexpr int kDiffLegendHeightPx = 24;
+
+}  // namespace inkbench

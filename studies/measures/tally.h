@@ -1,0 +1,69 @@
+// What one view's lines add up to: counts and sums from which every measure follows. In: a prediction and its
+// reference. Out: a tally; tallies of several views and scenes pool by addition, so that no ratio is
+// averaged.
+#pragma once
+
+#include <span>
+
+#include "studies/measures/histogram.h"
+#include "studies/measures/jaggedness.h"
+#include "studies/measures/line_map.h"
+
+namespace inkbench {
+
+/// The tolerances that may be asked for, and the headline one.
+inline constexpr double kToleranceFromPx = 0, kToleranceToPx = 100, kTolerancePx = 2;
+
+/// What is compared. All maps have the same size and are not thinned; their borders are ignored.
+struct LinesToMeasure {
+  const LineMap& prediction;
+  const LineMap& reference;                  ///< Tier 1: lines that a drawing must have.
+  const LineMap* allowed = nullptr;          ///< Tier 2: lines that it may have.
+  std::span<const Polyline> polylines = {};  ///< For jaggedness and bias; tier 1, as a rule.
+  double tolerance_px = kTolerancePx;        ///< 0 to 100.
+};
+
+/// Sizes of maximum matchings at one tolerance.
+struct MatchCounts {
+  int64_t matched = 0;  ///< Prediction with tier 1.
+  int64_t allowed = 0;  ///< Prediction with both tiers' pixels together; what is left of it is false.
+
+  void add(const MatchCounts& other);
+};
+
+struct LineTally {
+  int64_t pixels = 0;         ///< Of the whole image.
+  int64_t inside_pixels = 0;  ///< Without the border.
+  int64_t ink = 0;            ///< Unthinned prediction.
+  int64_t predicted = 0, referenced = 0;
+  MatchCounts at_tolerance, at_1px, at_diagonal;
+  Histogram to_reference;   ///< Squared distances of the prediction's pixels to the reference.
+  Histogram to_prediction;  ///< And the other way round.
+  double baddeley_sum = 0;  ///< Of squared differences of truncated distances, over the inside pixels.
+  int64_t gaps = 0, gap_pixels = 0;
+  int64_t components = 0, ends = 0;
+  Histogram to_background;  ///< Squared, of the thinned prediction's pixels in the unthinned one.
+  LineOffsets offsets;
+
+  /// Neither has a line.
+  bool empty() const { return predicted == 0 && referenced == 0; }
+  /// Pools. An empty tally is left out.
+  void add(const LineTally& other);
+};
+
+/// Measures one view. Sizes must be the same.
+LineTally tally_lines(const LinesToMeasure& lines);
+
+/// What counts of a line map: its border set to false, then thinned.
+LineMap counted_lines(const LineMap& map);
+
+/// Recall over one class of lines alone: poolable by adding both numbers.
+struct RecallCounts {
+  int64_t matched = 0, referenced = 0;
+};
+
+/// The maximum matching of the prediction with the lines of one class, as if there were no others. The maps
+/// are not thinned.
+RecallCounts tally_recall(const LineMap& prediction, const LineMap& class_lines, double tolerance_px);
+
+}  // namespace inkbench

@@ -1,0 +1,182 @@
+// The sanity matrix: a small synthetic drawing with one defect at a time. F alone cannot tell the defects
+// apart; each must move its own measure and leave the others nearly where they were.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "studies/measures/measures.h"
+
+namespace inkbench {
+namespace {
+
+constexpr int kSide = 320;
+
+/// Where a line runs, for x from 40 to 280: five of them, straight and wavy.
+constexpr int kLines = 5;
+constexpr double kFromX = 40, kToX = 280;
+
+double height_of(int line, double x) {
+  const double base = 40 + 60.0 * line;
+  return line % 2 == 0 ? base + 0.1 * (x - kFromX) : base + 10 * std::sin((x - kFromX) / 40);
+}
+
+/// A round pen: every pixel whose centre is within half its width of the line.
+void draw_line(LineMap& map, double width, const std::function<double(double)>& y_at,
+               const std::function<bool(double)>& is_drawn) {
+  for (double x = kFromX; x < kToX; x += 0.1) {
+    if (!is_drawn(x)) continue;
+    const double centre = y_at(x), reach = width / 2;
+    for (int py = static_cast<int>(centre - reach); py <= static_cast<int>(centre + reach); ++py) {
+      for (int px = static_cast<int>(x - reach); px <= static_cast<int>(x + reach); ++px) {
+        if (std::hypot(px + 0.5 - x, py + 0.5 - centre) < reach) map.set(px, py);
+      }
+    }
+  }
+}
+
+LineMap drawing(double width, const std::function<bool(int line, double x)>& is_drawn = {},
+                const std::function<double(int line, double x)>& shift = {}) {
+  LineMap map(kSide, kSide);
+  for (int line = 0; line < kLines; ++line) {
+    draw_line(
+        map, width, [&](double x) { return height_of(line, x) + (shift ? shift(line, x) : 0); },
+        [&](double x) { return !is_drawn || is_drawn(line, x); });
+  }
+  return map;
+}
+
+std::vector<Polyline> polylines() {
+  std::vector<Polyline> lines;
+  for (int line = 0; line < kLines; ++line) {
+    Polyline polyline;
+    for (double x = kFromX; x <= kToX; x += 4) {
+      polyline.points.emplace_back(static_cast<float>(x), static_cast<float>(height_of(line, x)));
+    }
+    lines.push_back(polyline);
+  }
+  return lines;
+}
+
+Measures score(const LineMap& prediction) {
+  const LineMap reference = drawing(2);
+  const std::vector<Polyline> lines = polylines();
+  return measures_of(tally_lines({.prediction = prediction, .reference = reference, .polylines = lines}));
+}
+
+Measures ideal() {
+  return score(drawing(3));
+}
+
+Measures short_gaps() {
+  return score(drawing(3, [](int, double x) { return std::fmod(x, 60) >= 12; }));
+}
+
+Measures line_lost() {
+  return score(drawing(3, [](int line, double) { return line != 2; }));
+}
+
+double wobble(int, double x) {
+  return 1.2 * std::sin(2 * 3.14159265 * x / 10);
+}
+
+Measures jittered() {
+  return score(drawing(3, {}, wobble));
+}
+
+Measures specked() {
+  LineMap map = drawing(3);
+  for (int i = 0; i < 40; ++i) {  // 2 x 2 px, away from the lines
+    const int x = 45 + i % 10 * 23, y = 70 + i / 10 * 60;
+    for (int dy = 0; dy < 2; ++dy) {
+      for (int dx = 0; dx < 2; ++dx) map.set(x + dx, y + dy);
+    }
+  }
+  return score(map);
+}
+
+Measures doubled() {
+  return score(united(drawing(3), drawing(3, {}, [](int, double) { return 7.0; })));
+}
+
+/// The names of the measures that differ from the ideal drawing's by more than a twentieth of its value, or
+/// by more than the slack that the measure's unit allows.
+std::map<std::string, double> moved(const Measures& defect) {
+  const std::map<std::string, double> slack = {
+      {"precision", 0.03}, {"recall", 0.03},       {"breaks_per_100px", 0.1}, {"mean_gap_px", 1},
+      {"components", 0},   {"thickness_px", 0.5},  {"thickness_cov", 0.1},    {"jaggedness_px", 0.1},
+      {"bias_px", 0.2},    {"ends_per_100px", 0.5}};
+  const Measures good = ideal();
+  std::map<std::string, double> result;
+  for (const MeasureInfo& info : measure_list()) {
+    const auto allowed = slack.find(std::string(info.key));
+    if (allowed == slack.end()) continue;
+    const double change = info.value(defect).value() - info.value(good).value();
+    if (std::abs(change) > allowed->second) result[allowed->first] = change;
+  }
+  return result;
+}
+
+std::string names(const std::map<std::string, double>& moved_measures) {
+  std::string text;
+  for (const auto& [name, change] : moved_measures) text += name + (change > 0 ? "+ " : "- ");
+  return text;
+}
+
+TEST(MeasureSanity, ideal_drawing_scores_well_everywhere) {
+  const Measures m = ideal();
+  EXPECT_GT(m.precision, 0.99);
+  EXPECT_GT(m.recall, 0.98);
+  EXPECT_EQ(m.components, kLines);
+  EXPECT_EQ(m.breaks_per_100px, 0);
+  EXPECT_EQ(m.thickness_px, 3);
+  EXPECT_LT(m.jaggedness_px.value(), 0.35);
+  EXPECT_NEAR(m.bias_px.value(), 0, 0.1);
+}
+
+TEST(MeasureSanity, short_gaps_move_breaks) {
+  EXPECT_EQ(names(moved(short_gaps())),
+            "breaks_per_100px+ components+ ends_per_100px+ mean_gap_px+ recall- ");
+  EXPECT_GT(short_gaps().breaks_per_100px, 1.5);
+  EXPECT_LT(short_gaps().mean_gap_px, 13);
+}
+
+TEST(MeasureSanity, lost_line_moves_the_mean_gap) {
+  EXPECT_EQ(names(moved(line_lost())), "components- mean_gap_px+ recall- ");
+  EXPECT_GT(line_lost().mean_gap_px, 200);
+}
+
+TEST(MeasureSanity, jitter_moves_jaggedness) {
+  EXPECT_EQ(names(moved(jittered())), "jaggedness_px+ ");
+  EXPECT_GT(jittered().jaggedness_px.value(), 2 * ideal().jaggedness_px.value());
+}
+
+TEST(MeasureSanity, specks_move_components) {
+  EXPECT_EQ(names(moved(specked())), "components+ precision- ");
+  EXPECT_GE(specked().components, kLines + 40);
+}
+
+TEST(MeasureSanity, doubled_lines_move_precision) {
+  EXPECT_EQ(names(moved(doubled())), "components+ precision- ");
+  EXPECT_LT(doubled().precision, 0.55);
+  EXPECT_EQ(doubled().components, 2 * kLines);
+}
+
+TEST(MeasureSanity, thick_lines_move_thickness) {
+  EXPECT_EQ(names(moved(score(drawing(5)))), "thickness_px+ ");
+}
+
+TEST(MeasureSanity, shifted_lines_move_bias) {
+  EXPECT_EQ(names(moved(score(drawing(3, {}, [](int, double) { return 1.0; })))), "bias_px+ ");
+}
+
+TEST(MeasureSanity, one_number_cannot_tell_defects_apart) {
+  EXPECT_NEAR(line_lost().recall, 0.8, 0.02);
+  EXPECT_NEAR(short_gaps().f1, line_lost().f1, 0.01);
+  EXPECT_GT(line_lost().mean_gap_px, 20 * short_gaps().mean_gap_px);
+}
+
+}  // namespace
+}  // namespace inkbench

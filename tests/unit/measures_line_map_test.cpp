@@ -1,0 +1,72 @@
+// Line maps: from pictures and files, their border, and the bits past the width.
+#include "studies/measures/line_map.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "pipeline/image/image_file.h"
+#include "support.h"
+
+namespace inkbench {
+namespace {
+
+TEST(LineMap, over_127_is_line) {
+  Picture grey(256, 1, 1);
+  for (int x = 0; x < 256; ++x) grey.at(x, 0) = static_cast<uint8_t>(x);
+  const LineMap map = line_map_from(grey);
+  EXPECT_EQ(map.count(), 128);
+  EXPECT_FALSE(map.at(127, 0));
+  EXPECT_TRUE(map.at(128, 0));
+}
+
+TEST(LineMap, png_reads_back_as_the_map) {
+  const TemporaryFolder folder;
+  std::mt19937 random(1);
+  LineMap map(131, 17);
+  for (int y = 0; y < 17; ++y) {
+    for (int x = 0; x < 131; ++x) map.set(x, y, random() % 3 == 0);
+  }
+  write_png(folder.path() / "map.png", picture_of(map), {});
+  EXPECT_EQ(read_line_map(folder.path() / "map.png"), map);
+}
+
+TEST(LineMap, colour_counts_by_its_luma) {
+  const TemporaryFolder folder;
+  Picture colours(4, 1, 3);
+  const uint8_t values[] = {255, 0, 0, /**/ 0, 255, 0, /**/ 0, 0, 255, /**/ 128, 128, 128};
+  std::copy(std::begin(values), std::end(values), colours.samples.begin());
+  write_png(folder.path() / "colours.png", colours, {});
+  const LineMap map = read_line_map(folder.path() / "colours.png");
+  EXPECT_FALSE(map.at(0, 0));  // 54
+  EXPECT_TRUE(map.at(1, 0));   // 182
+  EXPECT_FALSE(map.at(2, 0));  // 18
+  EXPECT_TRUE(map.at(3, 0));
+}
+
+TEST(LineMap, border_is_cleared_on_every_side_at_every_width) {
+  for (const int width : {1, 4, 5, 63, 64, 65, 66, 67, 128, 130, 131}) {
+    LineMap full(width, 9);
+    for (int y = 0; y < 9; ++y) {
+      for (int x = 0; x < width; ++x) full.set(x, y);
+    }
+    const LineMap inside = without_border(full);
+    EXPECT_EQ(inside.count(), std::max(0, width - 4) * 5);
+    for_each_pixel(inside, [&](int x, int y) {
+      EXPECT_TRUE(x >= 2 && y >= 2 && x < width - 2 && y < 7) << x << ' ' << y << " of " << width;
+    });
+  }
+}
+
+TEST(LineMap, pixels_come_row_by_row) {
+  LineMap map(130, 3);
+  for (const Pixel& pixel : {Pixel{129, 0}, Pixel{5, 2}, Pixel{64, 0}, Pixel{63, 0}})
+    map.set(pixel.x, pixel.y);
+  EXPECT_EQ(pixels_of(map), (std::vector<Pixel>{{63, 0}, {64, 0}, {129, 0}, {5, 2}}));
+  map.set(64, 0, false);
+  EXPECT_FALSE(map.at(64, 0));
+  EXPECT_EQ(map.count(), 3);
+}
+
+}  // namespace
+}  // namespace inkbench
