@@ -123,7 +123,7 @@ std::vector<DrawItem> Pipeline::draw_items(const Settings& settings) {
     const ModelParams& model = settings.models[i];
     if (!model.visible) continue;
     const GpuMesh& mesh = meshes_.get(model, level_of(settings, i));
-    items.push_back({&mesh, model_matrix(model, mesh.bounds()), static_cast<int>(i) + 1});
+    items.push_back({&mesh, model_matrix(model, mesh.placement()), static_cast<int>(i) + 1});
   }
   return items;
 }

@@ -22,13 +22,14 @@ void attach(const VertexArray& vertex_array, GLuint attribute, const Buffer& buf
 
 }  // namespace
 
-GpuMesh::GpuMesh(const std::string& label, const Mesh& mesh)
+GpuMesh::GpuMesh(const std::string& label, const Mesh& mesh, const Bounds& placement)
     : vertex_array_(label),
       positions_(label + " positions", bytes_of(std::span(mesh.positions))),
       normals_(label + " normals", bytes_of(std::span(mesh.normals))),
       triangles_(label + " triangles", bytes_of(std::span(mesh.triangles))),
       index_count_(static_cast<GLsizei>(mesh.triangles.size() * 3)),
       bounds_(bounds_of(mesh)),
+      placement_(placement),
       closed_outwards_(is_closed_outwards(mesh)) {
   attach(vertex_array_, 0, positions_);
   attach(vertex_array_, 1, normals_);
@@ -71,8 +72,7 @@ Key MeshStore::identity(const ModelParams& model, const MeshParams& level) {
   return builder.add(kLevelNormalsNames[static_cast<size_t>(level.normals)]).key();
 }
 
-Mesh MeshStore::mesh(const ModelParams& model, const MeshParams& level) {
-  if (level == MeshParams{}) return make_model_mesh(model);
+Mesh MeshStore::level_mesh(const ModelParams& model, const MeshParams& level) {
   const Key key = full_identity(model);
   if (!ladder_ || ladder_->key != key || ladder_->rounds != level.subdivide) {
     ladder_.reset();
@@ -97,9 +97,11 @@ const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level)
   const Key key = identity(model, level);
   const auto found = meshes_.find(key);
   if (found != meshes_.end()) return found->second;
-  const Mesh drawn = mesh(model, level);
+  const bool whole = level == MeshParams{};
+  const Mesh drawn = whole ? make_model_mesh(model) : level_mesh(model, level);
   for (const std::string& note : drawn.notes) log_note("model '" + model.name + "': " + note);
-  return meshes_.emplace(key, GpuMesh("mesh of " + model.name, drawn)).first->second;
+  const Bounds placement = bounds_of(whole ? drawn : ladder_->full);
+  return meshes_.emplace(key, GpuMesh("mesh of " + model.name, drawn, placement)).first->second;
 }
 
 void MeshStore::keep_only(std::span<const Key> keys) {

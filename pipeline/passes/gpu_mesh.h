@@ -17,16 +17,19 @@ namespace inkbench {
 /// Positions at attribute 0, normals at attribute 1, and triangle indices.
 class GpuMesh {
  public:
-  GpuMesh(const std::string& label, const Mesh& mesh);
+  /// `placement` is the box by which the model is scaled and anchored: that of the full mesh, so that its
+  /// levels stand still.
+  GpuMesh(const std::string& label, const Mesh& mesh, const Bounds& placement);
   void draw() const;
   const Bounds& bounds() const { return bounds_; }
+  const Bounds& placement() const { return placement_; }
   bool closed_outwards() const { return closed_outwards_; }
 
  private:
   VertexArray vertex_array_;
   Buffer positions_, normals_, triangles_;
   GLsizei index_count_ = 0;
-  Bounds bounds_;
+  Bounds bounds_, placement_;
   bool closed_outwards_ = false;
 };
 
@@ -38,8 +41,6 @@ class MeshStore {
   /// Loads and uploads the first time. Errors (input): as `load_mesh_file`; its notes go to the log. The full
   /// mesh and the record of its collapses stay, so that another level of it takes milliseconds.
   const GpuMesh& get(const ModelParams& model, const MeshParams& level);
-  /// The mesh that `get` draws, in memory.
-  Mesh mesh(const ModelParams& model, const MeshParams& level);
   /// Frees all meshes that are not among these.
   void keep_only(std::span<const Key> keys);
 
@@ -57,6 +58,7 @@ class MeshStore {
   };
   Key content_key(const std::string& path);
   Key full_identity(const ModelParams& model);
+  Mesh level_mesh(const ModelParams& model, const MeshParams& level);
 
   std::map<Key, GpuMesh> meshes_;
   std::map<std::string, FileState> files_;

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "pipeline/base/text.h"
 #include "pipeline/image/image_file.h"
+#include "pipeline/mesh/primitives.h"
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
 
@@ -74,8 +76,12 @@ float changed_number(const Field& field, float value) {
 /// Another value of the parameter. Errors (test): a type that it knows no other value for.
 Value changed(const Field& field, const Value& value, const std::string& other_mesh) {
   if (const auto* boolean = std::get_if<bool>(&value)) return !*boolean;
-  if (const auto* integer = std::get_if<int>(&value))
-    return static_cast<int>(changed_number(field, static_cast<float>(*integer)));
+  if (const auto* integer = std::get_if<int>(&value)) {
+    const int other = static_cast<int>(changed_number(field, static_cast<float>(*integer)));
+    return other != *integer                                ? other
+           : *integer < static_cast<int>(field.limits.high) ? *integer + 1
+                                                            : *integer - 1;
+  }
   if (const auto* real = std::get_if<float>(&value)) return changed_number(field, *real);
   if (!field.choices.empty()) {
     const auto here = std::find(field.choices.begin(), field.choices.end(), std::get<std::string>(value));
@@ -118,14 +124,27 @@ bool differ(const Image& a, const Image& b) {
   return different >= 3;
 }
 
+/// A mesh with triangles to spare, whose every level and subdivision looks different, as an OBJ file.
+std::string bumpy_sphere(float waves) {
+  const Mesh sphere = make_sphere(16);
+  std::string text;
+  for (const glm::vec3& p : sphere.positions) {
+    const glm::vec3 bumpy = p * (1.0F + 0.2F * std::sin(waves * p.x) * std::sin(waves * p.y + 1.0F));
+    text += "v " + shortest(bumpy.x) + " " + shortest(bumpy.y) + " " + shortest(bumpy.z) + "\n";
+  }
+  for (const auto& t : sphere.triangles) {
+    text += "f";
+    for (const uint32_t corner : t) text += " " + std::to_string(corner + 1);
+    text += "\n";
+  }
+  return text;
+}
+
 class ParamsLive : public testing::Test {
  protected:
   ParamsLive() {
-    const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-    const std::string first = "v 0 0 0\nv 1 0 0.2\nv 0.1 1.3 0\nv 0.3 0.2 0.9\n";
-    const std::string other = "v 0 0 0\nv 0.8 0.1 0\nv 0.2 1 0.1\nv 0.5 0.4 1.2\n";
-    first_mesh_ = folder_.write("first.obj", first + faces).string();
-    other_mesh_ = folder_.write("other.obj", other + faces).string();
+    first_mesh_ = folder_.write("first.obj", bumpy_sphere(5.0F)).string();
+    other_mesh_ = folder_.write("other.obj", bumpy_sphere(3.0F)).string();
     rich_ = make_rich_scene();
   }
 
@@ -206,6 +225,7 @@ Settings ParamsLive::make_rich_scene() const {
                    .position = {-2.0F, 3.0F, 4.0F}};
   lamp.diffuse = lamp.specular = {0.5F, 0.4F, 0.3F};
   settings.lights = {sun, lamp};
+  settings.mesh.faces = 300;
   settings.ramp.diffuse.stops[2].stepped = false;
   settings.ramp.specular.stops = {{0.0F, glm::vec3(0.0F), false}, {0.6F, glm::vec3(1.0F), true}};
   return settings;
