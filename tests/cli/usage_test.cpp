@@ -30,7 +30,7 @@ std::vector<std::string> keys_of_text(const std::string& text) {
 
 TEST_F(Usage, help_of_every_command_has_an_example) {
   for (const std::vector<std::string>& command :
-       {std::vector<std::string>{}, {"render"}, {"study"}, {"params"}, {"info"}}) {
+       {std::vector<std::string>{}, {"render"}, {"study"}, {"score"}, {"decimate"}, {"params"}, {"info"}}) {
     std::vector<std::string> arguments = command;
     arguments.emplace_back("--help");
     const CommandResult result = inkbench(arguments);
@@ -54,7 +54,8 @@ TEST_F(Usage, version_is_one_line) {
 }
 
 TEST_F(Usage, no_command_names_the_commands) {
-  EXPECT_TRUE(is_input_error(inkbench({}), {"render", "study", "params", "info", "--help"}));
+  EXPECT_TRUE(
+      is_input_error(inkbench({}), {"render", "study", "score", "decimate", "params", "info", "--help"}));
 }
 
 TEST_F(Usage, unknown_command_is_named) {
