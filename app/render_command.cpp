@@ -12,6 +12,8 @@
 #include "pipeline/gl/context.h"
 #include "pipeline/scene/replace_mesh.h"
 #include "pipeline/scene/settings_file.h"
+#include "studies/reference/buffer_source.h"
+#include "studies/reference/drawing.h"
 
 namespace inkbench {
 namespace {
@@ -31,6 +33,29 @@ Settings base_settings(const RenderOptions& options, std::string& buffers) {
   return std::move(origin.settings);
 }
 
+void check_format(const std::string& format, const std::vector<BufferName>& buffers) {
+  if (format != "svg") return;
+  for (const BufferName buffer : buffers) {
+    if (buffer == BufferName::reference) continue;
+    throw input_error("--format svg", "the buffer " + std::string(name_of(buffer)) + " is not made of lines",
+                      "svg is for reference alone; use png or exr");
+  }
+}
+
+/// Writes `out/<buffer>.<format>`; returns its path.
+fs::path write_buffer(BufferSource& source, const Settings& settings, BufferName buffer,
+                      const RenderOptions& options) {
+  const fs::path path = fs::path(options.out) / (std::string(name_of(buffer)) + "." + options.format);
+  if (options.format == "svg") {
+    write_file_atomically(path, reference_svg(source.reference(settings)));
+  } else if (options.format == "exr") {
+    write_exr(path, source.raw(settings, buffer), export_text(settings, buffer));
+  } else {
+    write_png(path, source.picture(settings, buffer), export_text(settings, buffer));
+  }
+  return path;
+}
+
 void render(const RenderOptions& options) {
   std::string names = options.buffers;
   Settings settings = base_settings(options, names);
@@ -40,12 +65,13 @@ void render(const RenderOptions& options) {
   check_settings(settings);
   const std::vector<BufferName> buffers =
       parse_buffers(split(names.empty() ? "final" : names, ','), "--buffers");
-  const ExportFormat format = options.format == "exr" ? ExportFormat::exr : ExportFormat::png;
+  check_format(options.format, buffers);
   const HeadlessContext context;
   Pipeline pipeline;
+  BufferSource source(pipeline);
   make_folder(options.out);
   for (const BufferName buffer : buffers) {
-    fmt::print("{}\n", export_buffer(pipeline, settings, buffer, options.out, format).string());
+    fmt::print("{}\n", write_buffer(source, settings, buffer, options).string());
   }
 }
 
@@ -69,9 +95,11 @@ void add_render_command(CLI::App& app) {
   command->add_option(
       "--buffers", options->buffers,
       "Comma-separated: normal, depth, normal_edges, depth_edges, combined_edges, shaded, final, "
-      "blinn_phong, object_id, or all; final without it");
-  command->add_option("--format", options->format, "png: pictures; exr: raw 32-bit float values")
-      ->check(CLI::IsMember({"png", "exr"}));
+      "blinn_phong, object_id, reference, or all; final without it");
+  command
+      ->add_option("--format", options->format,
+                   "png: pictures; exr: raw 32-bit float values; svg: reference as paths")
+      ->check(CLI::IsMember({"png", "exr", "svg"}));
   command->add_option("--out", options->out, "Folder for the images, made if missing")->required();
   command->footer(
       "Examples:\n  inkbench render --buffers all --out out/paper\n"

@@ -19,19 +19,6 @@ ImageText export_text(const Settings& settings, BufferName buffer) {
           {kSettingsEntry, settings_text(settings)}};
 }
 
-std::filesystem::path export_buffer(Pipeline& pipeline, const Settings& settings, BufferName buffer,
-                                    const std::filesystem::path& folder, ExportFormat format) {
-  std::filesystem::path path = folder / name_of(buffer);
-  if (format == ExportFormat::png) {
-    path += ".png";
-    write_png(path, pipeline.picture(settings, buffer), export_text(settings, buffer));
-  } else {
-    path += ".exr";
-    write_exr(path, pipeline.raw(settings, buffer), export_text(settings, buffer));
-  }
-  return path;
-}
-
 ImageOrigin read_origin(const std::filesystem::path& image) {
   const std::string settings = read_image_text(image, kSettingsEntry);
   if (settings.empty()) {

@@ -11,15 +11,8 @@
 
 namespace inkbench {
 
-enum class ExportFormat { png, exr };
-
 /// The metadata of an exported buffer: version, buffer and all settings.
 ImageText export_text(const Settings& settings, BufferName buffer);
-
-/// Draws the buffer and writes `folder/<buffer>.<format>`; returns its path. A PNG holds the picture, an EXR
-/// the raw values. Errors: as `Pipeline::picture` and `write_png`.
-std::filesystem::path export_buffer(Pipeline& pipeline, const Settings& settings, BufferName buffer,
-                                    const std::filesystem::path& folder, ExportFormat format);
 
 /// What an exported image says of itself.
 struct ImageOrigin {

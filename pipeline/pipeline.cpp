@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/gl/context.h"
 #include "pipeline/params/glsl_block.h"
@@ -24,11 +25,6 @@ std::string group_text(const Params& params) {
 
 std::string ramp_content(const Ramp& ramp) {
   return ramp.image.empty() ? "" : read_file(ramp.image);
-}
-
-/// `settings.mesh` is about the main model; the others are drawn as they are.
-MeshParams level_of(const Settings& settings, size_t model) {
-  return main_model_index(settings) == model ? settings.mesh : MeshParams{};
 }
 
 ShadeParams shade_params(const Settings& settings) {
@@ -200,6 +196,8 @@ Pipeline::View Pipeline::view(const Settings& settings, BufferName buffer) {
       return {&final(settings, k), 0, 3, {1.0F, kColour}};
     case BufferName::blinn_phong:
       return {&blinn_phong(settings, k), 0, 3, {1.0F, kColour}};
+    case BufferName::reference:
+      throw work_error("reference", "is made from the meshes and not by the pipeline");
     case BufferName::object_id:
       return {&gbuffer(settings, k).object_id, 0, 1, {1.0F, PictureView::kObjectId}};
   }

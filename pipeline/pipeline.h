@@ -55,6 +55,9 @@ class Pipeline {
 
   PassKeys keys(const Settings& settings);
 
+  /// The meshes that the G-buffer draws, by model and level.
+  MeshStore& meshes() { return meshes_; }
+
   /// How often each pass ran and was reused, by the pass's name.
   std::map<std::string, StageCount> counts() const;
 

@@ -19,11 +19,15 @@ enum class BufferName {
   final,           ///< Ink over the shading; 3 channels (3.5).
   blinn_phong,     ///< Plain Blinn-Phong, whatever the ramps; 3 channels (3.1).
   object_id,       ///< 1, 2, ... in the scene's order of models, 0 where there is none.
+  reference,       ///< Lines in object space, by class; made beside the pipeline (studies/reference).
 };
 
-constexpr std::array<std::string_view, 9> kBufferNames{"normal",      "depth",          "normal_edges",
-                                                       "depth_edges", "combined_edges", "shaded",
-                                                       "final",       "blinn_phong",    "object_id"};
+constexpr std::array<std::string_view, 10> kBufferNames{
+    "normal", "depth", "normal_edges", "depth_edges", "combined_edges",
+    "shaded", "final", "blinn_phong",  "object_id",   "reference"};
+
+/// The first ones, which the pipeline draws.
+constexpr size_t kFramebufferCount = 9;
 
 inline std::string_view name_of(BufferName buffer) {
   return kBufferNames[static_cast<size_t>(buffer)];

@@ -93,14 +93,22 @@ Mesh MeshStore::level_mesh(const ModelParams& model, const MeshParams& level) {
                             level.normals);
 }
 
+Mesh MeshStore::full_mesh(const ModelParams& model) {
+  const bool held = ladder_ && ladder_->key == full_identity(model);
+  return held ? ladder_->full : make_model_mesh(model);
+}
+
+Mesh MeshStore::drawn_mesh(const ModelParams& model, const MeshParams& level) {
+  return level == MeshParams{} ? make_model_mesh(model) : level_mesh(model, level);
+}
+
 const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level) {
   const Key key = identity(model, level);
   const auto found = meshes_.find(key);
   if (found != meshes_.end()) return found->second;
-  const bool whole = level == MeshParams{};
-  const Mesh drawn = whole ? make_model_mesh(model) : level_mesh(model, level);
+  const Mesh drawn = drawn_mesh(model, level);
   for (const std::string& note : drawn.notes) log_note("model '" + model.name + "': " + note);
-  const Bounds placement = bounds_of(whole ? drawn : ladder_->full);
+  const Bounds placement = level == MeshParams{} ? bounds_of(drawn) : bounds_of(ladder_->full);
   return meshes_.emplace(key, GpuMesh("mesh of " + model.name, drawn, placement)).first->second;
 }
 

@@ -41,6 +41,12 @@ class MeshStore {
   /// Loads and uploads the first time. Errors (input): as `load_mesh_file`; its notes go to the log. The full
   /// mesh and the record of its collapses stay, so that another level of it takes milliseconds.
   const GpuMesh& get(const ModelParams& model, const MeshParams& level);
+  /// Decides the full mesh of the model, whatever its level.
+  Key full_identity(const ModelParams& model);
+  /// The model's full mesh in memory.
+  Mesh full_mesh(const ModelParams& model);
+  /// The mesh that `get` draws, in memory.
+  Mesh drawn_mesh(const ModelParams& model, const MeshParams& level);
   /// Frees all meshes that are not among these.
   void keep_only(std::span<const Key> keys);
 
@@ -57,7 +63,6 @@ class MeshStore {
     std::optional<CollapseRecord> record;  ///< Of `subdivided`, made when a level is first asked for.
   };
   Key content_key(const std::string& path);
-  Key full_identity(const ModelParams& model);
   Mesh level_mesh(const ModelParams& model, const MeshParams& level);
 
   std::map<Key, GpuMesh> meshes_;

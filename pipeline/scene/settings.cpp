@@ -146,6 +146,10 @@ std::optional<size_t> main_model_index(const Settings& settings) {
   return settings.models.empty() ? std::nullopt : std::optional<size_t>(0);
 }
 
+MeshParams level_of(const Settings& settings, size_t model) {
+  return main_model_index(settings) == model ? settings.mesh : MeshParams{};
+}
+
 ModelParams& main_model(Settings& settings) {
   const std::optional<size_t> index = main_model_index(settings);
   if (!index) throw input_error("scene", "has no models", "add a [[model]] table");

@@ -60,6 +60,9 @@ void check_settings(const Settings& settings);
 /// The model that `--mesh` replaces: the first one that is a mesh, else the first. Errors (input): no models.
 ModelParams& main_model(Settings& settings);
 
+/// `settings.mesh` for the main model, which it is about; the others are drawn as they are.
+MeshParams level_of(const Settings& settings, size_t model);
+
 /// Its place in `models`, or nothing where there are none.
 std::optional<size_t> main_model_index(const Settings& settings);
 

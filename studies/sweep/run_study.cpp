@@ -10,6 +10,8 @@
 #include "pipeline/base/text.h"
 #include "pipeline/export.h"
 #include "pipeline/scene/settings_file.h"
+#include "studies/reference/buffer_source.h"
+#include "studies/sweep/cell_numbers.h"
 #include "studies/sweep/manifest.h"
 #include "studies/sweep/study_folder.h"
 #include "studies/sweep/study_grid.h"
@@ -27,20 +29,13 @@ struct DrawnCell {
   std::vector<std::string> numbers;
 };
 
-/// The numbers of `number_columns`: the share of inked pixels (measures 3.10) and their count.
-std::vector<std::string> measure(const Image& combined_edges) {
-  const auto inked = std::count_if(combined_edges.samples.begin(), combined_edges.samples.end(),
-                                   [](float e) { return e > 0.0F; });
-  return {shortest(static_cast<double>(inked) / static_cast<double>(combined_edges.samples.size())),
-          std::to_string(inked)};
-}
-
 Key cell_key(Pipeline& pipeline, const StudySpec& spec, const Settings& settings) {
   const PassKeys keys = pipeline.keys(settings);
   KeyBuilder builder;
   builder.add(INKBENCH_VERSION).add(settings_text(settings)).add(keys.picture);
   for (const Key& key : {keys.ink, keys.blinn_phong, keys.quantise}) builder.add(key);
   for (const BufferName buffer : spec.show) builder.add(name_of(buffer));
+  for (const std::string& measure : spec.measures) builder.add(measure);
   return builder.key();
 }
 
@@ -111,8 +106,8 @@ class StudyRun {
   DrawnCell draw(const Cell& cell) {
     DrawnCell drawn{cell.index, cell.name, cell_settings(spec_, cell), {}, {}};
     for (const BufferName buffer : spec_.show)
-      drawn.pictures.push_back(pipeline_.picture(drawn.settings, buffer));
-    drawn.numbers = measure(pipeline_.raw(drawn.settings, BufferName::combined_edges));
+      drawn.pictures.push_back(buffers_.picture(drawn.settings, buffer));
+    drawn.numbers = cell_numbers(buffers_, spec_, drawn.settings);
     return drawn;
   }
 
@@ -155,6 +150,7 @@ class StudyRun {
   }
 
   Pipeline& pipeline_;
+  BufferSource buffers_{pipeline_};
   const StudySpec& spec_;
   const StudyOptions& options_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

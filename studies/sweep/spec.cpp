@@ -12,6 +12,7 @@
 #include "pipeline/mesh/mesh_file.h"
 #include "pipeline/params/toml_value.h"
 #include "pipeline/scene/settings_file.h"
+#include "studies/sweep/number_columns.h"
 
 namespace inkbench {
 namespace {
@@ -29,12 +30,13 @@ class SpecReader {
   }
 
   StudySpec read(const std::vector<std::string>& assignments) {
-    check_keys(document_, {"title", "purpose", "scene", "size", "show", "set", "axis", "variant"});
+    check_keys(document_, {"title", "purpose", "scene", "size", "show", "measure", "set", "axis", "variant"});
     spec_.title = text_entry("title", path_.stem().string());
     spec_.purpose = text_entry("purpose", "");
     spec_.base = load_settings(scene_path());
     read_size();
     read_show();
+    read_measures();
     if (const TomlNode* set = table_entry("set"))
       apply_table(spec_.base, *set, path_.string(), path_.parent_path());
     for (const std::string& assignment : assignments) apply_assignment(spec_.base, assignment);
@@ -125,6 +127,29 @@ class SpecReader {
       for (const TomlNode& item : node->items) names.push_back(text_of(item, "show"));
     }
     spec_.show = parse_buffers(names, node == nullptr ? path_.string() : at(*node));
+  }
+
+  void read_measures() {
+    const TomlNode* node = document_.find("measure");
+    if (node == nullptr) return;
+    const std::vector<std::string> known = known_measures();
+    if (node->kind == TomlNode::Kind::boolean) {
+      if (node->boolean) spec_.measures = known;
+      return;
+    }
+    if (!node->is_array()) {
+      throw input_error(at(*node), "measure is " + node->kind_name(),
+                        "it must be true, or a list of measures");
+    }
+    for (const TomlNode& item : node->items) {
+      const std::string name = text_of(item, "measure");
+      if (std::find(known.begin(), known.end(), name) == known.end()) {
+        throw input_error(at(item), "unknown measure '" + name + "'", suggest(name, known));
+      }
+      if (std::find(spec_.measures.begin(), spec_.measures.end(), name) == spec_.measures.end()) {
+        spec_.measures.push_back(name);
+      }
+    }
   }
 
   void read_axes() {

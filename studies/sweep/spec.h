@@ -34,6 +34,7 @@ struct StudySpec {
   std::string purpose;  ///< One line for `inkbench study list`.
   Settings base;
   std::vector<BufferName> show;
+  std::vector<std::string> measures;  ///< Of the drawn lines against the reference; columns of data.csv.
   std::vector<Axis> axes;  ///< Columns, rows, pages: at most three; empty where there are variants.
   std::vector<Variant> variants;
 };

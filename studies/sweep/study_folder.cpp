@@ -13,6 +13,7 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "studies/report/csv.h"
+#include "studies/sweep/number_columns.h"
 
 namespace inkbench {
 namespace {
@@ -45,11 +46,6 @@ std::string field_text(const Value& value) {
 
 }  // namespace
 
-const std::vector<std::string>& number_columns() {
-  static const std::vector<std::string> kColumns{"ink", "ink_px"};
-  return kColumns;
-}
-
 FolderLock::FolderLock(const fs::path& folder) {
   make_folder(folder);
   descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -69,12 +65,13 @@ StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Key
       folder_(std::move(folder)),
       lock_(folder_),
       keys_(std::move(keys)),
-      varied_(varied_keys(spec)) {
+      varied_(varied_keys(spec)),
+      columns_(number_columns(spec)) {
   make_folder(folder_ / "cells");
   if (!fresh) done_ = read_journal(folder_ / "journal.jsonl");
   std::erase_if(done_, [&](const auto& entry) {
     return entry.first >= keys_.size() || entry.second.key != keys_[entry.first].text() ||
-           entry.second.numbers.size() != number_columns().size() || !names_its_files(entry.second) ||
+           entry.second.numbers.size() != columns_.size() || !names_its_files(entry.second) ||
            !files_intact(folder_, entry.second);
   });
   remove_stale_files();
@@ -107,7 +104,7 @@ std::string StudyFolder::header() const {
   std::vector<std::string> fields{"cell"};
   if (!spec_.variants.empty()) fields.emplace_back("variant");
   fields.insert(fields.end(), varied_.begin(), varied_.end());
-  fields.insert(fields.end(), number_columns().begin(), number_columns().end());
+  fields.insert(fields.end(), columns_.begin(), columns_.end());
   fields.emplace_back("error");
   for (const BufferName buffer : spec_.show) fields.push_back("FILE_" + std::string(name_of(buffer)));
   return csv_line(fields);
@@ -120,7 +117,7 @@ std::string StudyFolder::row(size_t index, const std::vector<std::string>& numbe
   std::vector<std::string> fields{std::to_string(index + 1)};
   if (!spec_.variants.empty()) fields.push_back(cell.name);
   for (const std::string& key : varied_) fields.push_back(field_text(find_param(settings, key, key).value()));
-  for (size_t i = 0; i < number_columns().size(); ++i) fields.push_back(i < numbers.size() ? numbers[i] : "");
+  for (size_t i = 0; i < columns_.size(); ++i) fields.push_back(i < numbers.size() ? numbers[i] : "");
   fields.push_back(error);
   for (const BufferName buffer : spec_.show) fields.push_back(error.empty() ? cell_file(index, buffer) : "");
   return csv_line(fields);

@@ -12,9 +12,6 @@
 
 namespace inkbench {
 
-/// The numbers of a cell in data.csv, in order: names of columns.
-const std::vector<std::string>& number_columns();
-
 /// Keeps a second run out of a folder for as long as it lives; the system lifts it when a run is killed.
 class FolderLock {
  public:
@@ -65,7 +62,8 @@ class StudyFolder {
   std::filesystem::path folder_;
   FolderLock lock_;
   std::vector<Key> keys_;
-  std::vector<std::string> varied_;  ///< Keys that cells set, in order of first use.
+  std::vector<std::string> varied_;   ///< Keys that cells set, in order of first use.
+  std::vector<std::string> columns_;  ///< Of the numbers.
   std::map<size_t, CellRecord> done_;
   std::map<size_t, std::string> failed_;
   mutable std::mutex mutex_;

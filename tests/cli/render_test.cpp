@@ -104,7 +104,7 @@ TEST_F(Render, picture_is_the_raw_value_times_the_gain) {
   ASSERT_TRUE(succeeds(render("exr", raw)));
   const std::map<std::string, float> gains{{"depth", 1.5F}, {"depth_edges", 128.0F}, {"normal_edges", 16.0F}};
   for (const std::string_view buffer : kBufferNames) {
-    if (buffer == "object_id") continue;  // distinct colours, below
+    if (buffer == "object_id" || buffer == "reference") continue;  // distinct colours, below
     const std::string name(buffer);
     const Picture png = picture("png/" + name + ".png");
     const Image exr = read_image(file("exr/" + name + ".exr"));
@@ -115,6 +115,27 @@ TEST_F(Render, picture_is_the_raw_value_times_the_gain) {
       ASSERT_NEAR(png.samples[i], expected, 1.0F) << name << " sample " << i;
     }
   }
+}
+
+TEST_F(Render, reference_lines_are_coloured_where_the_raw_values_name_a_class) {
+  ASSERT_TRUE(succeeds(render("out", {"--buffers", "reference"})));
+  ASSERT_TRUE(succeeds(render("out", {"--buffers", "reference", "--format", "exr"})));
+  ASSERT_TRUE(succeeds(render("out", {"--buffers", "reference", "--format", "svg"})));
+  const Image classes = read_image(file("out/reference.exr"));
+  const Picture colours = picture("out/reference.png");
+  size_t lines = 0;
+  for (size_t i = 0; i < classes.samples.size(); ++i) {
+    const bool white = colours.samples[3 * i] == 255 && colours.samples[3 * i + 1] == 255 &&
+                       colours.samples[3 * i + 2] == 255;
+    ASSERT_EQ(white, classes.samples[i] == 0.0F) << i;
+    lines += white ? 0 : 1;
+  }
+  EXPECT_GT(lines, 50U);
+  const std::string svg = content_of(file("out/reference.svg"));
+  EXPECT_NE(svg.find("<g id=\"silhouette\""), std::string::npos);
+  EXPECT_NE(svg.find("<path"), std::string::npos);
+  EXPECT_TRUE(
+      is_input_error(render("out", {"--buffers", "final", "--format", "svg"}), {"final", "reference"}));
 }
 
 TEST_F(Render, object_ids_count_the_scenes_models_and_show_as_distinct_colours) {

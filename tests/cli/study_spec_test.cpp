@@ -1,4 +1,6 @@
 // Specs that are wrong: refused whole, before the first cell, with the line and what would be right.
+#include <nlohmann/json.hpp>
+
 #include "tests/cli/study_fixture.h"
 
 namespace inkbench {
@@ -115,6 +117,40 @@ TEST_F(StudySpecErrors, too_many_cells_for_any_disk_are_refused) {
 
 TEST_F(StudySpecErrors, missing_spec_points_to_the_list) {
   EXPECT_TRUE(is_input_error(inkbench({"study", "lost.toml"}), {"lost.toml", "study list"}));
+}
+
+TEST_F(StudySpecErrors, measures_become_columns_that_a_score_agrees_with) {
+  write_spec("m",
+             "show = [\"combined_edges\", \"reference\"]\n"
+             "measure = [\"f1\", \"components\", \"recall_silhouette\", \"empty\"]\n");
+  ASSERT_TRUE(succeeds(study("m", "out")));
+  const StudyTable data = table("out");
+  ASSERT_EQ(data.rows.size(), 1U);
+  const std::vector<std::string> expected{"cell",
+                                          "ink",
+                                          "ink_px",
+                                          "f1",
+                                          "components",
+                                          "recall_silhouette",
+                                          "empty",
+                                          "error",
+                                          "FILE_combined_edges",
+                                          "FILE_reference"};
+  EXPECT_EQ(data.columns, expected);
+  EXPECT_EQ(data.rows[0].at("empty"), "false");
+  EXPECT_GT(std::stod(data.rows[0].at("f1")), 0.0);
+  const double recall = std::stod(data.rows[0].at("recall_silhouette"));
+  EXPECT_TRUE(recall > 0.0 && recall <= 1.0) << recall;
+  // Measures of the drawing alone do not depend on what it is compared with.
+  const std::string drawn = "out/" + data.rows[0].at("FILE_combined_edges");
+  const CommandResult score = inkbench({"score", drawn, drawn, "--json"});
+  ASSERT_TRUE(succeeds(score));
+  EXPECT_EQ(nlohmann::json::parse(score.out).at("components"), std::stoi(data.rows[0].at("components")));
+}
+
+TEST_F(StudySpecErrors, unknown_measures_are_named) {
+  expect_refused("measure = [\"f2\"]\n", {":3", "f2", "f1"});
+  expect_refused("measure = 3\n", {":3", "measure", "true"});
 }
 
 }  // namespace

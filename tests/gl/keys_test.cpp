@@ -102,7 +102,7 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
       {BufferName::shaded, {"gbuffer", "shade"}},
       {BufferName::blinn_phong, {"gbuffer", "blinn_phong"}},
       {BufferName::final, kFloatChain}};
-  ASSERT_EQ(needs.size(), kBufferNames.size());
+  ASSERT_EQ(needs.size(), kFramebufferCount);
   for (const auto& [buffer, expected] : needs) {
     Pipeline pipeline;
     EXPECT_EQ(passes_run_by(pipeline, [&] { pipeline.raw(small_scene(), buffer); }), expected)
@@ -116,7 +116,7 @@ TEST(Keys, all_buffers_together_run_each_pass_once) {
   expected.insert("blinn_phong");
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
-                            for (size_t i = 0; i < kBufferNames.size(); ++i)
+                            for (size_t i = 0; i < kFramebufferCount; ++i)
                               pipeline.raw(small_scene(), static_cast<BufferName>(i));
                           }),
             expected);

@@ -164,7 +164,7 @@ class ParamsLive : public testing::Test {
     return false;
   }
   bool pictures_change(const Settings& before, const Settings& after) {
-    for (size_t i = 0; i < kBufferNames.size(); ++i) {
+    for (size_t i = 0; i < kFramebufferCount; ++i) {
       const auto buffer = static_cast<BufferName>(i);
       if (before_.picture(before, buffer) != pipeline_.picture(after, buffer)) return true;
     }

@@ -24,7 +24,7 @@ TEST(Picture, is_the_raw_buffer_times_its_gain) {
   Settings settings = analytic_scene();
   settings.display = {1.7F, 20.0F, 3.0F};
   Pipeline pipeline;
-  for (size_t i = 0; i + 1 < kBufferNames.size(); ++i) {
+  for (size_t i = 0; i + 1 < kFramebufferCount; ++i) {
     const auto buffer = static_cast<BufferName>(i);
     const Image raw = pipeline.raw(settings, buffer);
     const Picture picture = pipeline.picture(settings, buffer);

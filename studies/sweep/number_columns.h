@@ -1,0 +1,18 @@
+// The numbers of a cell in data.csv: their columns' names.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace inkbench {
+
+struct StudySpec;
+
+/// What `measure` in a spec may name: `empty`, the measures of docs/measures.md but `ink`, which every study
+/// has, and `recall_<class>` for each class of reference lines.
+std::vector<std::string> known_measures();
+
+/// `ink` and `ink_px`, then the spec's measures.
+std::vector<std::string> number_columns(const StudySpec& spec);
+
+}  // namespace inkbench
