@@ -43,7 +43,7 @@ build_preset() {
   shift
   mkdir -p "$folder"
   # A build folder remembers where its sources were; a moved or copied one starts over.
-  if [ -f "$folder/CMakeCache.txt" ] && ! grep -qx "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+  if [ -f "$folder/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
     rm -rf "${folder:?}"/*
   fi
   (

@@ -230,7 +230,7 @@ TEST_F(FigureClaims, normal_term_alone_leaves_the_outline_uneven_but_without_gap
   EXPECT_LT(normal.gap_share, 0.005);
 }
 
-TEST_F(FigureClaims, depth_term_alone_leaves_a_gap_where_the_tail_stands_before_the_box) {
+TEST_F(FigureClaims, depth_term_alone_leaves_a_gap_where_the_tail_runs_into_the_box) {
   const Mask outline = border_of(pixels_of(kRabbit));
   const OutlineInk depth = measure_outline("depth alone", outline, ink(figure(8)));
   const OutlineInk together = measure_outline("both", outline, ink(figure(1)));
