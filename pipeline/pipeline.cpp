@@ -65,7 +65,8 @@ Pipeline::Pipeline() {
 PassKeys Pipeline::keys(const Settings& settings) {
   PassKeys keys;
   const std::string size = fmt::format("{} x {}", settings.image.width, settings.image.height);
-  const std::string precision = to_text(ImageParams::description().fields[2].get(&settings.image));
+  const std::string_view precision =
+      ChoiceNames<Precision>::names[static_cast<size_t>(settings.image.precision)];
   KeyBuilder meshes;
   KeyBuilder gbuffer;
   gbuffer.add("gbuffer").add(gbuffer_pass_.program().key()).add(size).add(group_text(settings.camera));
@@ -111,8 +112,8 @@ std::vector<DrawItem> Pipeline::draw_items(const Settings& settings) {
   std::vector<DrawItem> items;
   std::vector<Key> used;
   for (size_t i = 0; i < settings.models.size(); ++i) {
-    const ModelParams& model = settings.models[i];
-    if (model.visible) used.push_back(meshes_.identity(model, level_of(settings, i)));
+    if (settings.models[i].visible)
+      used.push_back(meshes_.identity(settings.models[i], level_of(settings, i)));
   }
   meshes_.keep_only(used);
   for (size_t i = 0; i < settings.models.size(); ++i) {

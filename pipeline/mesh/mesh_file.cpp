@@ -74,7 +74,7 @@ PolygonSoup read_isolated(const MeshSource& source, const std::string& name) {
   throw input_error(name, "OpenMesh's reader did not come to an end", "is the file damaged?");
 }
 
-/// The readers for OBJ and STL silently leave out faces that name a vertex twice; the others must return each
+/// The readers for OBJ and STL silently leave out faces naming a vertex twice; the others must return each
 /// one.
 void account_for_faces(const MeshSource& source, PolygonSoup& soup, const std::string& name) {
   const bool merges_corners = source.format == MeshFormat::stl;

@@ -135,7 +135,7 @@ std::string take_normals(const PolygonSoup& soup, std::span<const uint32_t> kept
 void note_dropped_faces(const Defects& defects, size_t points, std::vector<std::string>& notes) {
   if (defects.out_of_range > 0) {
     notes.push_back(
-        fmt::format("Dropped {} that name a vertex outside the file's {} (such as index {}, counted from 0).",
+        fmt::format("Dropped {} naming a vertex outside the file's {} (such as index {}, counted from 0).",
                     faces(defects.out_of_range), with_commas(static_cast<long long>(points)),
                     with_commas(defects.worst_index)));
   }

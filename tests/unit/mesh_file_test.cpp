@@ -402,14 +402,14 @@ TEST_F(MeshFile, numbers_too_small_for_a_float_are_read_as_zero) {
 TEST_F(MeshFile, faces_outside_the_vertices_are_dropped_with_an_example) {
   const Mesh obj = load("o.obj", kTetrahedronObj + "f 1 2 99\nf 0 1 2\nf 1 2 99999999999\n");
   expect_tetrahedron(obj);
-  EXPECT_THAT(obj.notes, Contains("Dropped 3 faces that name a vertex outside the file's 4 (such as index "
+  EXPECT_THAT(obj.notes, Contains("Dropped 3 faces naming a vertex outside the file's 4 (such as index "
                                   "2,147,483,646, counted from 0)."));
   const Mesh ply =
       load("o.ply", replaced(replaced(kTetrahedronPly, "face 4", "face 6"), "end_header", "end_header") +
                         "3 0 1 4\n3 -1 0 1\n");
   expect_tetrahedron(ply);
   EXPECT_THAT(ply.notes,
-              Contains(HasSubstr("Dropped 2 faces that name a vertex outside the file's 4 (such as index ")));
+              Contains(HasSubstr("Dropped 2 faces naming a vertex outside the file's 4 (such as index ")));
 }
 
 TEST_F(MeshFile, faces_without_area_are_dropped_and_counted_in_every_format) {

@@ -75,7 +75,7 @@ TEST(PolygonSoupToMesh, polygons_of_any_corner_count_and_index_are_survived) {
   const Mesh mesh = mesh_from_soup(soup, "x");
   EXPECT_EQ(mesh.triangles.size(), 1U);
   EXPECT_EQ(mesh.notes[0],
-            "Dropped 2 faces that name a vertex outside the file's 3 (such as index -2,147,483,648, counted "
+            "Dropped 2 faces naming a vertex outside the file's 3 (such as index -2,147,483,648, counted "
             "from 0).");
   EXPECT_EQ(mesh.notes[1], "Dropped 3 faces without area.");
 }
