@@ -35,35 +35,67 @@ std::string recall_text(const LineMap& drawn, const LineMap& lines) {
   return shortest(static_cast<double>(counts.matched) / static_cast<double>(counts.referenced));
 }
 
-std::map<std::string, std::string, std::less<>> all_measures(const LineMap& drawn,
-                                                             const ReferenceLines& lines) {
-  const LineMap wanted = tier_map(lines, 1);
-  const LineMap allowed = tier_map(lines, 2);
+using Texts = std::map<std::string, std::string, std::less<>>;
+
+LineView line_view(const LineMap& drawn, const ReferenceLines& lines) {
+  LineMap outline = class_map(lines, LineClass::silhouette);
+  for (const LineClass line_class : {LineClass::boundary, LineClass::object}) {
+    outline = united(outline, class_map(lines, line_class));
+  }
+  return {drawn, tier_map(lines, 1), tier_map(lines, 2), outline};
+}
+
+Texts measure_texts(const LineView& view, const ReferenceLines& lines) {
   const std::vector<Polyline> followed = lines_to_follow(lines);
-  const Measures measures = measures_of(
-      tally_lines({.prediction = drawn, .reference = wanted, .allowed = &allowed, .polylines = followed}));
-  std::map<std::string, std::string, std::less<>> texts{{"empty", measures.empty ? "true" : "false"}};
+  const Measures measures = measures_of(tally_lines(
+      {.prediction = view.drawn, .reference = view.wanted, .allowed = &view.allowed, .polylines = followed}));
+  Texts texts{{"empty", measures.empty ? "true" : "false"}, {"f1_detector", shortest(measures.f1)}};
   for (const MeasureInfo& info : measure_list()) texts.emplace(info.key, measure_text(info, measures));
   for (const LineClass line_class : kLineClasses) {
     texts.emplace("recall_" + std::string(name_of(line_class)),
-                  recall_text(drawn, class_map(lines, line_class)));
+                  recall_text(view.drawn, class_map(lines, line_class)));
   }
   return texts;
 }
 
+std::string optional_text(const std::optional<double>& value) {
+  return value ? shortest(*value) : "";
+}
+
+void add_ladder_texts(const LadderMeasures& measures, Texts& texts) {
+  texts.emplace("f1_geometry", shortest(measures.f1_geometry));
+  texts.emplace("f1_end_to_end", shortest(measures.f1_end_to_end));
+  texts.emplace("internal_kept", optional_text(measures.internal_kept));
+  texts.emplace("internal_new", optional_text(measures.internal_new));
+}
+
 }  // namespace
 
-std::vector<std::string> cell_numbers(BufferSource& buffers, const StudySpec& spec,
-                                      const Settings& settings) {
-  const Image edges = buffers.raw(settings, BufferName::combined_edges);
+const LineView& CellMeter::full_view(const Settings& settings) {
+  Settings full = settings;
+  full.mesh = MeshParams{};
+  const PassKeys keys = buffers_.pipeline().keys(full);
+  return full_.get(KeyBuilder().add(keys.gbuffer).add(keys.combine).key(), [&] {
+    const LineMap drawn = drawn_lines(buffers_.raw(full, BufferName::combined_edges));
+    return line_view(drawn, buffers_.reference(full));
+  });
+}
+
+std::vector<std::string> CellMeter::numbers(const Settings& settings) {
+  const Image edges = buffers_.raw(settings, BufferName::combined_edges);
   const auto inked =
       std::count_if(edges.samples.begin(), edges.samples.end(), [](float e) { return e > 0.0F; });
   std::vector<std::string> numbers{
       shortest(static_cast<double>(inked) / static_cast<double>(edges.samples.size())),
       std::to_string(inked)};
-  if (spec.measures.empty()) return numbers;
-  const auto texts = all_measures(drawn_lines(edges), buffers.reference(settings));
-  for (const std::string& name : spec.measures) numbers.push_back(texts.at(name));
+  if (spec_.measures.empty()) return numbers;
+  const ReferenceLines& lines = buffers_.reference(settings);
+  const LineView view = line_view(drawn_lines(edges), lines);
+  Texts texts = measure_texts(view, lines);
+  const bool wants_ladder = std::any_of(spec_.measures.begin(), spec_.measures.end(),
+                                        [&](const std::string& name) { return !texts.contains(name); });
+  if (wants_ladder) add_ladder_texts(measure_against_full(view, full_view(settings)), texts);
+  for (const std::string& name : spec_.measures) numbers.push_back(texts.at(name));
   return numbers;
 }
 

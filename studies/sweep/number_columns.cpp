@@ -13,6 +13,9 @@ std::vector<std::string> known_measures() {
   }
   for (const std::string_view line_class : kLineClassNames)
     names.push_back("recall_" + std::string(line_class));
+  for (const char* name : {"f1_detector", "f1_geometry", "f1_end_to_end", "internal_kept", "internal_new"}) {
+    names.emplace_back(name);
+  }
   return names;
 }
 

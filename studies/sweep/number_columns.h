@@ -9,7 +9,8 @@ namespace inkbench {
 struct StudySpec;
 
 /// What `measure` in a spec may name: `empty`, the measures of docs/measures.md but `ink`, which every study
-/// has, and `recall_<class>` for each class of reference lines.
+/// has, `recall_<class>` for each class of reference lines, and the measures of a level against the full
+/// mesh.
 std::vector<std::string> known_measures();
 
 /// `ink` and `ink_px`, then the spec's measures.

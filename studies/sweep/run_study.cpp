@@ -107,7 +107,7 @@ class StudyRun {
     DrawnCell drawn{cell.index, cell.name, cell_settings(spec_, cell), {}, {}};
     for (const BufferName buffer : spec_.show)
       drawn.pictures.push_back(buffers_.picture(drawn.settings, buffer));
-    drawn.numbers = cell_numbers(buffers_, spec_, drawn.settings);
+    drawn.numbers = meter_.numbers(drawn.settings);
     return drawn;
   }
 
@@ -152,6 +152,7 @@ class StudyRun {
   Pipeline& pipeline_;
   BufferSource buffers_{pipeline_};
   const StudySpec& spec_;
+  CellMeter meter_{buffers_, spec_};
   const StudyOptions& options_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   StudyFolder folder_;

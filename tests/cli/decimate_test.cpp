@@ -46,12 +46,17 @@ TEST_F(Decimate, cached_record_changes_no_byte_and_a_damaged_one_is_made_again) 
 
 TEST_F(Decimate, face_count_is_an_axis_of_a_study) {
   write("s.toml",
-        "size = [96, 96]\nshow = [\"final\"]\n[[axis]]\nkey = \"mesh.faces\"\nvalues = [0, 5000, 200]\n"
+        "size = [96, 96]\nshow = [\"final\"]\nmeasure = [\"f1_geometry\", \"f1_end_to_end\", "
+        "\"f1\"]\n[[axis]]\nkey = \"mesh.faces\"\nvalues = [0, 5000, 200]\n"
         "[[axis]]\nkey = \"mesh.normals\"\nvalues = [\"smooth\", \"nearest\"]\n");
   ASSERT_TRUE(succeeds(study("s", "a")));
   ASSERT_TRUE(succeeds(study("s", "b")));
   EXPECT_EQ(difference(lasting_content(file("a")), lasting_content(file("b"))), "same");
   EXPECT_THAT(table("a").column("mesh.faces"), ElementsAre("0", "5000", "200", "0", "5000", "200"));
+  const StudyTable data = table("a");
+  EXPECT_EQ(data.rows[0].at("f1_geometry"), "1") << "the full mesh against itself";
+  EXPECT_EQ(data.rows[0].at("f1_end_to_end"), data.rows[0].at("f1"));
+  EXPECT_LT(std::stod(data.rows[2].at("f1_geometry")), 0.99);
   EXPECT_NE(content_of(file("a/cells/0001_final.png")), content_of(file("a/cells/0003_final.png")));
 }
 
