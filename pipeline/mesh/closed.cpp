@@ -3,32 +3,13 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
-#include <tuple>
+
+#include "pipeline/mesh/weld.h"
 
 namespace inkbench {
 namespace {
 
 using Triangle = std::array<uint32_t, 3>;
-
-bool before(const glm::vec3& a, const glm::vec3& b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
-
-/// For each vertex the first one at the same position.
-std::vector<uint32_t> weld_equal(const std::vector<glm::vec3>& positions) {
-  std::vector<uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-    return positions[a] == positions[b] ? a < b : before(positions[a], positions[b]);
-  });
-  std::vector<uint32_t> first(positions.size());
-  uint32_t representative = 0;
-  for (size_t i = 0; i < order.size(); ++i) {
-    if (i == 0 || positions[order[i]] != positions[order[i - 1]]) representative = order[i];
-    first[order[i]] = representative;
-  }
-  return first;
-}
 
 uint64_t directed_edge(uint32_t from, uint32_t to) {
   return (static_cast<uint64_t>(from) << 32) | to;
@@ -72,7 +53,7 @@ bool all_parts_outwards(const std::vector<glm::vec3>& positions, const std::vect
 }  // namespace
 
 bool is_closed_outwards(const Mesh& mesh) {
-  const std::vector<uint32_t> first = weld_equal(mesh.positions);
+  const std::vector<uint32_t> first = first_at_same_position(mesh.positions);
   std::vector<Triangle> triangles = mesh.triangles;
   for (Triangle& t : triangles) {
     for (uint32_t& corner : t) corner = first[corner];

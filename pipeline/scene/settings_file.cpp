@@ -10,7 +10,7 @@
 namespace inkbench {
 namespace {
 
-constexpr size_t kMaxModels = 4096;
+constexpr size_t kMaxListed = 4096;
 constexpr int kMaxBaseDepth = 16;
 
 struct Source {
@@ -82,7 +82,7 @@ void apply_list(Settings& settings, std::vector<Item>& items, const std::string&
     seen.push_back(name);
     const bool known =
         std::any_of(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
-    if (items.size() >= kMaxModels) throw input_error(source.at(table), "too many [[" + list + "]] tables");
+    if (items.size() >= kMaxListed) throw input_error(source.at(table), "too many [[" + list + "]] tables");
     if (!known) {
       items.emplace_back();
       items.back().name = name;

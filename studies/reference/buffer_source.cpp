@@ -17,13 +17,16 @@ Key full_key(MeshStore& meshes, const ModelParams& model) {
 BufferSource::Part BufferSource::part(const ModelParams& model, const MeshParams& level) {
   MeshStore& meshes = pipeline_.meshes();
   const Key full = full_key(meshes, model);
+  const Key drawn = meshes.identity(model, level);
   if (!full_.contains(full)) {
     const Mesh mesh = meshes.full_mesh(model);
+    MeshTopology topology = make_topology(mesh);
     FeatureParams params;
     for (int axis = 0; axis < 3; ++axis) params.stretch[axis][axis] = model.scale[axis];
-    full_.emplace(full, FullMesh{bounds_of(mesh), make_features(make_topology(mesh), params)});
+    full_.emplace(full, FullMesh{bounds_of(mesh), make_features(topology, params)});
+    if (level == MeshParams{})
+      drawn_.try_emplace(drawn, std::move(topology));  // the full mesh is what is drawn
   }
-  const Key drawn = meshes.identity(model, level);
   if (!drawn_.contains(drawn)) drawn_.emplace(drawn, make_topology(meshes.drawn_mesh(model, level)));
   return {&full_.at(full), &drawn_.at(drawn)};
 }

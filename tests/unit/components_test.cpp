@@ -6,18 +6,10 @@
 #include <random>
 #include <string_view>
 
+#include "tests/unit/line_map_support.h"
+
 namespace inkbench {
 namespace {
-
-LineMap from_rows(std::initializer_list<std::string_view> rows) {
-  LineMap map(static_cast<int>(rows.begin()->size()), static_cast<int>(rows.size()));
-  int y = 0;
-  for (const std::string_view row : rows) {
-    for (int x = 0; x < map.width_px(); ++x) map.set(x, y, row[x] == '#');
-    ++y;
-  }
-  return map;
-}
 
 int64_t flood_filled(LineMap map) {
   int64_t count = 0;

@@ -6,18 +6,10 @@
 #include <algorithm>
 #include <random>
 
+#include "tests/unit/line_map_support.h"
+
 namespace inkbench {
 namespace {
-
-LineMap random_map(int width, int height, double density, uint32_t seed) {
-  std::mt19937 random(seed);
-  std::bernoulli_distribution is_line(density);
-  LineMap map(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) map.set(x, y, is_line(random));
-  }
-  return map;
-}
 
 int64_t brute_force(int x, int y, const LineMap& to, bool wanted) {
   int64_t best = kInfinitelyFar;

@@ -7,17 +7,10 @@
 #include <random>
 #include <set>
 
+#include "tests/unit/line_map_support.h"
+
 namespace inkbench {
 namespace {
-
-LineMap random_map(int width, int height, double density, std::mt19937& random) {
-  std::bernoulli_distribution is_line(density);
-  LineMap map(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) map.set(x, y, is_line(random));
-  }
-  return map;
-}
 
 /// Random walks, like thinned lines.
 LineMap random_walks(int width, int height, int walks, std::mt19937& random) {

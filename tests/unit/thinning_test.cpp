@@ -9,18 +9,10 @@
 
 #include "studies/measures/components.h"
 
+#include "tests/unit/line_map_support.h"
+
 namespace inkbench {
 namespace {
-
-LineMap random_map(int width, int height, double density, uint32_t seed) {
-  std::mt19937 random(seed);
-  std::bernoulli_distribution is_line(density);
-  LineMap map(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) map.set(x, y, is_line(random));
-  }
-  return map;
-}
 
 /// Discs on random places: fat strokes with smooth and rough edges.
 LineMap random_blobs(int width, int height, int count, uint32_t seed) {
@@ -76,16 +68,6 @@ LineMap thinned_by_definition(LineMap map) {
         changed = true;
       });
     }
-  }
-  return map;
-}
-
-LineMap from_rows(std::initializer_list<std::string_view> rows) {
-  LineMap map(static_cast<int>(rows.begin()->size()), static_cast<int>(rows.size()));
-  int y = 0;
-  for (const std::string_view row : rows) {
-    for (int x = 0; x < map.width_px(); ++x) map.set(x, y, row[x] == '#');
-    ++y;
   }
   return map;
 }
