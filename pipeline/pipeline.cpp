@@ -33,6 +33,52 @@ ShadeParams shade_params(const Settings& settings) {
   return params;
 }
 
+/// Of the maps that the edge passes read.
+const Key& maps_key(const Settings& settings, const PassKeys& keys) {
+  return settings.image.precision == Precision::float32 ? keys.gbuffer : keys.quantise;
+}
+
+const Key& key_of(const Settings& settings, const PassKeys& keys, BufferName buffer) {
+  switch (buffer) {
+    case BufferName::normal:
+    case BufferName::depth:
+      return maps_key(settings, keys);
+    case BufferName::normal_edges:
+    case BufferName::depth_edges:
+      return keys.gradient;
+    case BufferName::combined_edges:
+      return keys.combine;
+    case BufferName::shaded:
+      return keys.shade;
+    case BufferName::final:
+      return keys.ink;
+    case BufferName::blinn_phong:
+      return keys.blinn_phong;
+    case BufferName::object_id:
+    case BufferName::reference:
+      break;  // the lines are found for what the G-buffer shows
+  }
+  return keys.gbuffer;
+}
+
+/// The gain and offset that show the range, if one is wanted.
+PictureView with_range(PictureView view, const std::optional<ShownRange>& range) {
+  if (!range || view.channel == PictureView::kObjectId) return view;
+  const float width = range->white - range->black;
+  view.low = range->black;
+  view.gain = width > 0.0F ? 1.0F / width : 1.0F;
+  return view;
+}
+
+Key picture_key(const PictureView& view, const Key& buffer, const Key& program) {
+  return KeyBuilder()
+      .add("picture")
+      .add(program)
+      .add(buffer)
+      .add(fmt::format("{} {} {}", view.channel, view.gain, view.low))
+      .key();
+}
+
 Key shade_key(const ShadeParams& params, const Key& gbuffer, const Key& program) {
   KeyBuilder builder;
   builder.add("shade").add(program).add(gbuffer).add(group_text(params.scene));
@@ -79,11 +125,10 @@ PassKeys Pipeline::keys(const Settings& settings) {
   keys.gbuffer = gbuffer.add(keys.meshes).key();
   keys.picture = picture_pass_.program().key();
   keys.quantise = KeyBuilder().add("quantise").add(quantise_pass_.program().key()).add(keys.gbuffer).key();
-  const bool is_float = settings.image.precision == Precision::float32;
   keys.gradient = KeyBuilder()
                       .add("gradient")
                       .add(gradient_pass_.program().key())
-                      .add(is_float ? keys.gbuffer : keys.quantise)
+                      .add(maps_key(settings, keys))
                       .add(precision)
                       .key();
   keys.range = KeyBuilder().add("range").add(range_pass_.program().key()).add(keys.gradient).key();
@@ -126,7 +171,7 @@ std::vector<DrawItem> Pipeline::draw_items(const Settings& settings) {
 }
 
 const GBuffer& Pipeline::gbuffer(const Settings& settings, const PassKeys& keys) {
-  return gbuffer_.get(keys.gbuffer, [&] {
+  return stage(gbuffer_, "gbuffer", keys.gbuffer, [&] {
     check_settings(settings);
     return gbuffer_pass_.run(settings.camera, draw_items(settings), settings.image.width,
                              settings.image.height);
@@ -136,34 +181,34 @@ const GBuffer& Pipeline::gbuffer(const Settings& settings, const PassKeys& keys)
 const Texture& Pipeline::maps(const Settings& settings, const PassKeys& keys) {
   const Texture& exact = gbuffer(settings, keys).normal_and_depth;
   if (settings.image.precision == Precision::float32) return exact;
-  return quantised_.get(keys.quantise, [&] { return quantise_pass_.run(exact); });
+  return stage(quantised_, "quantise", keys.quantise, [&] { return quantise_pass_.run(exact); });
 }
 
 const Texture& Pipeline::gradient(const Settings& settings, const PassKeys& keys) {
   const Texture& normal_and_depth = maps(settings, keys);
-  return gradient_.get(keys.gradient,
-                       [&] { return gradient_pass_.run(normal_and_depth, settings.image.precision); });
+  return stage(gradient_, "gradient", keys.gradient,
+               [&] { return gradient_pass_.run(normal_and_depth, settings.image.precision); });
 }
 
 const Texture& Pipeline::range(const Settings& settings, const PassKeys& keys) {
   const Texture& g = gradient(settings, keys);
-  return range_.get(keys.range, [&] { return range_pass_.run(g); });
+  return stage(range_, "range", keys.range, [&] { return range_pass_.run(g); });
 }
 
 const Texture& Pipeline::combined(const Settings& settings, const PassKeys& keys) {
   const Texture& r = range(settings, keys);
-  return combined_.get(keys.combine,
-                       [&] { return combine_pass_.run(settings.combine, r, settings.image.precision); });
+  return stage(combined_, "combine", keys.combine,
+               [&] { return combine_pass_.run(settings.combine, r, settings.image.precision); });
 }
 
 const Texture& Pipeline::shaded(const Settings& settings, const PassKeys& keys) {
   const GBuffer& g = gbuffer(settings, keys);
-  return shaded_.get(keys.shade, [&] { return shade_pass_.run(shade_params(settings), g); });
+  return stage(shaded_, "shade", keys.shade, [&] { return shade_pass_.run(shade_params(settings), g); });
 }
 
 const Texture& Pipeline::blinn_phong(const Settings& settings, const PassKeys& keys) {
   const GBuffer& g = gbuffer(settings, keys);
-  return blinn_phong_.get(keys.blinn_phong, [&] {
+  return stage(blinn_phong_, "blinn_phong", keys.blinn_phong, [&] {
     ShadeParams plain = shade_params(settings);
     plain.ramp.enabled = false;
     return shade_pass_.run(plain, g);
@@ -173,11 +218,10 @@ const Texture& Pipeline::blinn_phong(const Settings& settings, const PassKeys& k
 const Texture& Pipeline::final(const Settings& settings, const PassKeys& keys) {
   const Texture& light = shaded(settings, keys);
   const Texture& edges = combined(settings, keys);
-  return final_.get(keys.ink, [&] { return ink_pass_.run(settings.ink, light, edges); });
+  return stage(final_, "ink", keys.ink, [&] { return ink_pass_.run(settings.ink, light, edges); });
 }
 
-Pipeline::View Pipeline::view(const Settings& settings, BufferName buffer) {
-  const PassKeys k = keys(settings);
+Pipeline::View Pipeline::view(const Settings& settings, const PassKeys& k, BufferName buffer) {
   const DisplayParams& display = settings.display;
   constexpr int kColour = PictureView::kColour;
   switch (buffer) {
@@ -205,20 +249,36 @@ Pipeline::View Pipeline::view(const Settings& settings, BufferName buffer) {
   return {};
 }
 
+Key Pipeline::buffer_key(const Settings& settings, BufferName buffer) {
+  return key_of(settings, keys(settings), buffer);
+}
+
 void Pipeline::draw(const Settings& settings, BufferName buffer) {
-  view(settings, buffer);
+  view(settings, keys(settings), buffer);
   throw_gl_errors(std::string(name_of(buffer)));
 }
 
 Picture Pipeline::picture(const Settings& settings, BufferName buffer) {
-  const View shown = view(settings, buffer);
+  const View shown = view(settings, keys(settings), buffer);
   Picture picture = picture_pass_.run(shown.picture, *shown.texture).read_picture();
   throw_gl_errors(std::string(name_of(buffer)));
   return picture;
 }
 
+PictureTexture Pipeline::picture_texture(const Settings& settings, BufferName buffer,
+                                         const std::optional<ShownRange>& range) {
+  const PassKeys k = keys(settings);
+  const View shown = view(settings, k, buffer);
+  const PictureView with = with_range(shown.picture, range);
+  const Key key = picture_key(with, key_of(settings, k, buffer), k.picture);
+  const Texture& texture = stage(pictures_[static_cast<size_t>(buffer)], "picture", key,
+                                 [&] { return picture_pass_.run(with, *shown.texture); });
+  throw_gl_errors(std::string(name_of(buffer)));
+  return {&texture, key};
+}
+
 Image Pipeline::raw(const Settings& settings, BufferName buffer) {
-  const View shown = view(settings, buffer);
+  const View shown = view(settings, keys(settings), buffer);
   Image image = shown.texture->read(shown.first_channel, shown.channels);
   throw_gl_errors(std::string(name_of(buffer)));
   return image;
@@ -229,22 +289,30 @@ void Pipeline::forget_results() {
   for (Stage<Texture>* stage :
        {&quantised_, &gradient_, &range_, &combined_, &shaded_, &blinn_phong_, &final_})
     stage->forget();
+  for (Stage<Texture>& picture : pictures_) picture.forget();
   clear_texture_pool();
 }
 
 std::map<std::string, StageCount> Pipeline::counts() const {
-  return {{"gbuffer", gbuffer_.count()},   {"quantise", quantised_.count()},
-          {"gradient", gradient_.count()}, {"range", range_.count()},
-          {"combine", combined_.count()},  {"shade", shaded_.count()},
-          {"ink", final_.count()},         {"blinn_phong", blinn_phong_.count()}};
+  StageCount pictures;
+  for (const Stage<Texture>& picture : pictures_) {
+    pictures.runs += picture.count().runs;
+    pictures.reuses += picture.count().reuses;
+  }
+  return {
+      {"gbuffer", gbuffer_.count()}, {"quantise", quantised_.count()},      {"gradient", gradient_.count()},
+      {"range", range_.count()},     {"combine", combined_.count()},        {"shade", shaded_.count()},
+      {"ink", final_.count()},       {"blinn_phong", blinn_phong_.count()}, {"picture", pictures}};
 }
 
-void Pipeline::reload_changed_shaders() {
+bool Pipeline::reload_changed_shaders() {
+  bool any = false;
   for (Program* program : {&gbuffer_pass_.program(), &quantise_pass_.program(), &gradient_pass_.program(),
                            &range_pass_.program(), &combine_pass_.program(), &shade_pass_.program(),
                            &ink_pass_.program(), &picture_pass_.program()}) {
-    program->reload_if_changed(generated_);
+    any |= program->reload_if_changed(generated_);
   }
+  return any;
 }
 
 }  // namespace inkbench

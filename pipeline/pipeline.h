@@ -2,10 +2,13 @@
 // what an earlier call computed from the same inputs is used again.
 #pragma once
 
+#include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "pipeline/pass_observer.h"
 #include "pipeline/passes/buffer_names.h"
 #include "pipeline/passes/combine.h"
 #include "pipeline/passes/gbuffer.h"
@@ -27,6 +30,19 @@ struct PassKeys {
   Key picture;  ///< Of the program that makes pictures.
 };
 
+/// Values of a buffer to show as black and as white, instead of what the display gains make of them.
+struct ShownRange {
+  float black = 0.0F, white = 1.0F;
+  bool operator==(const ShownRange&) const = default;
+};
+
+/// A picture on the GPU, rgba8, and the key of all that decided it. Valid until another is asked for with the
+/// same buffer's name.
+struct PictureTexture {
+  const Texture* texture = nullptr;
+  Key key;
+};
+
 /// GLSL of the uniform blocks and structs, generated from the parameters' descriptions.
 GeneratedSources generated_sources();
 
@@ -42,6 +58,11 @@ class Pipeline {
   /// size; (work): what OpenGL reports, with the pass.
   Picture picture(const Settings& settings, BufferName buffer);
 
+  /// The same picture left on the GPU, kept by its key; `range` shows other values than the gains do (not for
+  /// object_id). If it cannot be made, the buffer's last one is kept. Errors as `picture`.
+  PictureTexture picture_texture(const Settings& settings, BufferName buffer,
+                                 const std::optional<ShownRange>& range = std::nullopt);
+
   /// The buffer's raw values, the ones that the next pass reads: H x W x 3 for normal, shaded, final and
   /// blinn_phong, else H x W x 1. Errors as `picture`.
   Image raw(const Settings& settings, BufferName buffer);
@@ -55,14 +76,22 @@ class Pipeline {
 
   PassKeys keys(const Settings& settings);
 
+  /// The key of the buffer's raw values. Errors (input): a mesh file cannot be read.
+  Key buffer_key(const Settings& settings, BufferName buffer);
+
   /// The meshes that the G-buffer draws, by model and level.
   MeshStore& meshes() { return meshes_; }
 
-  /// How often each pass ran and was reused, by the pass's name.
+  /// How often each pass ran and was reused, by the pass's name; "picture" counts those of
+  /// `picture_texture`.
   std::map<std::string, StageCount> counts() const;
 
+  /// Tells `observer` (or nobody, for nullptr) of every pass that runs from now on.
+  void observe(PassObserver* observer) { observer_ = observer; }
+
   /// Compiles changed shaders again. Errors (input): the first that fails, which keeps its last good program.
-  void reload_changed_shaders();
+  /// Returns whether any program is another one now.
+  bool reload_changed_shaders();
 
  private:
   struct View {
@@ -70,6 +99,15 @@ class Pipeline {
     int first_channel, channels;
     PictureView picture;
   };
+
+  /// The stage's value for the key; `make` is the pass, told to the observer when it runs.
+  template <class Value, class Make>
+  const Value& stage(Stage<Value>& stage, std::string_view name, const Key& key, const Make& make) {
+    return stage.get(key, [&] {
+      const PassScope scope(observer_, name);
+      return make();
+    });
+  }
 
   const GBuffer& gbuffer(const Settings& settings, const PassKeys& keys);
   /// The normal map, with the depth map in alpha, that the edge passes read.
@@ -80,7 +118,7 @@ class Pipeline {
   const Texture& shaded(const Settings& settings, const PassKeys& keys);
   const Texture& blinn_phong(const Settings& settings, const PassKeys& keys);
   const Texture& final(const Settings& settings, const PassKeys& keys);
-  View view(const Settings& settings, BufferName buffer);
+  View view(const Settings& settings, const PassKeys& keys, BufferName buffer);
   std::vector<DrawItem> draw_items(const Settings& settings);
 
   /// First, so that it is destroyed last, after the stages have given their textures back.
@@ -100,6 +138,8 @@ class Pipeline {
 
   Stage<GBuffer> gbuffer_;
   Stage<Texture> quantised_, gradient_, range_, combined_, shaded_, blinn_phong_, final_;
+  std::array<Stage<Texture>, kFramebufferCount> pictures_;
+  PassObserver* observer_ = nullptr;
 };
 
 }  // namespace inkbench

@@ -1,10 +1,12 @@
 #version 450 core
-// A buffer as an 8-bit picture: one channel as grey, three as colour, object ids as distinct colours; times a gain.
+// A buffer as an 8-bit picture: one channel as grey, three as colour, object ids as distinct colours; what is above a
+// value, times a gain.
 
 uniform sampler2D buffer_map;
 layout(std140) uniform picture_block {
   float gain;
   int channel;  // 0 to 3: that channel as grey; -1: the first three as colour; -2: red as an id's colour
+  float low;    // shown as black
 } picture;
 layout(location = 0) out vec4 colour;
 
@@ -19,5 +21,5 @@ void main() {
   vec4 value = texelFetch(buffer_map, ivec2(gl_FragCoord.xy), 0);
   vec3 shown = picture.channel >= 0 ? vec3(value[max(picture.channel, 0)]) : value.rgb;
   if (picture.channel == -2) shown = id_colour(value.r);
-  colour = vec4(shown * picture.gain, 1.0);
+  colour = vec4((shown - picture.low) * picture.gain, 1.0);
 }

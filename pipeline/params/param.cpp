@@ -4,6 +4,20 @@
 
 namespace inkbench {
 
+bool matters(const ParamGroup& group, const Field& field) {
+  const std::string_view text = field.matters_when;
+  const bool is_unequal = text.find(" != ") != std::string_view::npos;
+  const std::string_view sign = is_unequal ? " != " : " = ";
+  const size_t place = text.find(sign);
+  for (const Field& sibling : group.description->fields) {
+    if (place == std::string_view::npos || sibling.name != text.substr(0, place)) continue;
+    const Value value = sibling.get(group.owner);
+    const auto* word = std::get_if<std::string>(&value);
+    return ((word != nullptr ? *word : to_text(value)) == text.substr(place + sign.size())) != is_unequal;
+  }
+  return true;
+}
+
 Value Param::value() const {
   const Value whole = field->get(owner);
   return component < 0 ? whole : Value(std::get<glm::vec3>(whole)[component]);

@@ -15,6 +15,9 @@ struct ParamGroup {
   void* owner = nullptr;
 };
 
+/// Whether a field of the group has an effect now: its `matters_when`, looked up among its siblings.
+bool matters(const ParamGroup& group, const Field& field);
+
 /// Valid while the settings live and keep their models and lights.
 struct Param {
   std::string key;  ///< "combine.k_depth", "model.rabbit.position", "camera.eye.x".

@@ -9,7 +9,8 @@ namespace {
 struct PictureBlock {
   float gain;
   int channel;
-  int padding[2];
+  float low;
+  int padding;
 };
 
 }  // namespace
@@ -21,7 +22,7 @@ PicturePass::PicturePass(const GeneratedSources& generated)
 Texture PicturePass::run(const PictureView& view, const Texture& buffer) const {
   Texture picture("picture", TextureFormat::rgba8, buffer.width_px(), buffer.height_px());
   const RenderTarget target({&picture}, nullptr);
-  const PictureBlock block{view.gain, view.channel, {}};
+  const PictureBlock block{view.gain, view.channel, view.low, 0};
   const Buffer uniforms("picture block", bytes_of(std::span(&block, 1)));
   program_.use();
   bind_uniform_blocks({&uniforms});

@@ -9,6 +9,7 @@ namespace inkbench {
 struct PictureView {
   float gain = 1.0F;
   int channel = kColour;  ///< 0 to 3 shows that channel as grey.
+  float low = 0.0F;       ///< Subtracted before the gain: the value that is shown as black.
 
   static constexpr int kColour = -1;    ///< The first three channels as colour.
   static constexpr int kObjectId = -2;  ///< Red as an object's id, each in a colour of its own.
@@ -17,7 +18,7 @@ struct PictureView {
 class PicturePass {
  public:
   explicit PicturePass(const GeneratedSources& generated);
-  /// Out: rgba8; values are clamped to 0 to 1 after the gain.
+  /// Out: rgba8; (value - low) * gain, clamped to 0 to 1.
   Texture run(const PictureView& view, const Texture& buffer) const;
   Program& program() { return program_; }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "pipeline/base/error.h"
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
 #include "tests/gl/scenes.h"
@@ -67,6 +68,71 @@ TEST(Picture, has_its_top_row_first) {
   const Picture picture = pipeline.picture(settings, BufferName::object_id);
   EXPECT_GT(picture.at(24, 5, 0), 0);
   EXPECT_EQ(picture.at(24, 35, 0), 0);
+}
+
+TEST(Picture, left_on_the_gpu_is_the_same_and_kept_until_something_changes) {
+  Settings settings = analytic_scene();
+  Pipeline pipeline;
+  for (size_t i = 0; i < kFramebufferCount; ++i) {
+    const auto buffer = static_cast<BufferName>(i);
+    const Picture expected = pipeline.picture(settings, buffer);
+    EXPECT_EQ(pipeline.picture_texture(settings, buffer).texture->read_picture(), expected)
+        << name_of(buffer);
+  }
+  EXPECT_EQ(pipeline.counts().at("picture").runs, static_cast<long>(kFramebufferCount));
+  const Key before = pipeline.picture_texture(settings, BufferName::depth).key;
+  EXPECT_EQ(pipeline.counts().at("picture").runs, static_cast<long>(kFramebufferCount));
+  settings.display.depth_gain = 2.0F;
+  EXPECT_NE(pipeline.picture_texture(settings, BufferName::depth).key, before);
+  EXPECT_EQ(pipeline.counts().at("picture").runs, static_cast<long>(kFramebufferCount) + 1);
+}
+
+TEST(Picture, shows_a_range_from_black_to_white) {
+  const Settings settings = analytic_scene();
+  Pipeline pipeline;
+  const Image raw = pipeline.raw(settings, BufferName::depth);
+  const auto [low, high] = std::minmax_element(raw.samples.begin(), raw.samples.end());
+  const Picture picture =
+      pipeline.picture_texture(settings, BufferName::depth, ShownRange{*low, *high}).texture->read_picture();
+  for (int y = 0; y < raw.height_px; ++y) {
+    for (int x = 0; x < raw.width_px; ++x) {
+      const double expected = 255.0 * (raw.at(x, y) - *low) / (*high - *low);
+      ASSERT_NEAR(picture.at(x, y, 0), expected, 0.51) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Picture, that_cannot_be_made_leaves_the_last_one) {
+  Settings settings = analytic_scene();
+  Pipeline pipeline;
+  const Texture* texture = pipeline.picture_texture(settings, BufferName::final).texture;
+  const Picture before = texture->read_picture();
+  settings.models.front().shape = Shape::mesh;
+  settings.models.front().mesh = "/no/such/mesh.obj";
+  EXPECT_THROW(pipeline.picture_texture(settings, BufferName::final), Error);
+  EXPECT_EQ(texture->read_picture(), before);
+}
+
+class Names : public PassObserver {
+ public:
+  void begin_pass(std::string_view name) override { begun.emplace_back(name); }
+  void end_pass() override { ++ended; }
+  std::vector<std::string> begun;
+  size_t ended = 0;
+};
+
+TEST(Picture, observer_is_told_of_the_passes_that_run) {
+  Settings settings = analytic_scene();
+  Pipeline pipeline;
+  pipeline.picture_texture(settings, BufferName::final);
+  Names names;
+  pipeline.observe(&names);
+  pipeline.picture_texture(settings, BufferName::final);
+  EXPECT_TRUE(names.begun.empty());
+  settings.combine.threshold = 0.2F;
+  pipeline.picture_texture(settings, BufferName::final);
+  EXPECT_EQ(names.begun, (std::vector<std::string>{"combine", "ink", "picture"}));
+  EXPECT_EQ(names.ended, names.begun.size());
 }
 
 }  // namespace

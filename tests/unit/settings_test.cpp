@@ -110,6 +110,31 @@ TEST(Description, matters_when_names_a_setting_of_the_same_group) {
   EXPECT_GT(conditions, 5);
 }
 
+TEST(Description, field_matters_as_its_condition_says) {
+  Settings settings = scene();
+  const auto is_live = [&](const std::string& key) {
+    const Param param = find_param(settings, key, "");
+    for (const ParamGroup& group : list_groups(settings)) {
+      if (group.owner == param.owner) return matters(group, *param.field);
+    }
+    return false;
+  };
+  EXPECT_TRUE(is_live("combine.k_depth"));
+  settings.combine.use_depth = false;
+  EXPECT_FALSE(is_live("combine.k_depth"));
+  EXPECT_TRUE(is_live("combine.k_normal"));
+  EXPECT_TRUE(is_live("combine.use_depth"));
+  const std::string model = "model." + settings.models.front().name;
+  settings.models.front().shape = Shape::torus;
+  EXPECT_TRUE(is_live(model + ".tube"));
+  EXPECT_TRUE(is_live(model + ".segments"));
+  EXPECT_FALSE(is_live(model + ".mesh"));
+  settings.models.front().shape = Shape::mesh;
+  EXPECT_FALSE(is_live(model + ".tube"));
+  EXPECT_FALSE(is_live(model + ".segments"));
+  EXPECT_TRUE(is_live(model + ".mesh"));
+}
+
 TEST(Description, every_field_writes_where_it_reads) {
   Settings settings = scene();
   for (const Param& param : list_params(settings)) {
