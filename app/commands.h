@@ -10,6 +10,7 @@ namespace inkbench {
 /// What a command that reported its own failure leaves for main: 0 unless set.
 int& exit_status();
 
+void add_app_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_study_command(CLI::App& app);
 void add_score_command(CLI::App& app);

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
       "Example:\n  inkbench render --set combine.k_depth=0.001 --buffers final,combined_edges --out "
       "out/first\n\n"
       "`inkbench COMMAND --help` explains a command.");
+  inkbench::add_app_command(app);
   inkbench::add_render_command(app);
   inkbench::add_study_command(app);
   inkbench::add_score_command(app);
@@ -41,7 +42,7 @@ int run(int argc, char** argv) {
     if (error.get_name() == "RequiredError" && app.get_subcommands().empty()) {
       const std::vector<std::string> words = app.remaining();
       text = (words.empty() ? "which command?" : "there is no '" + words.front() + "'; which command?") +
-             " render, study, score, decimate, params or info";
+             " app, render, study, score, decimate, params or info";
     }
     return fail(text + "; `inkbench --help` shows how it is used", 2);
   }

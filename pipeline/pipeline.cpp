@@ -284,6 +284,13 @@ Image Pipeline::raw(const Settings& settings, BufferName buffer) {
   return image;
 }
 
+Image Pipeline::pixel(const Settings& settings, BufferName buffer, int x, int y) {
+  const View shown = view(settings, keys(settings), buffer);
+  Image image = shown.texture->read_pixel(x, y, shown.first_channel, shown.channels);
+  throw_gl_errors(std::string(name_of(buffer)));
+  return image;
+}
+
 void Pipeline::forget_results() {
   gbuffer_.forget();
   for (Stage<Texture>* stage :

@@ -30,6 +30,10 @@ struct PassKeys {
   Key picture;  ///< Of the program that makes pictures.
 };
 
+/// The passes by the names that counts and observers use, in the order of the chain.
+constexpr std::array<std::string_view, 9> kPassNames{
+    "gbuffer", "quantise", "gradient", "range", "combine", "shade", "ink", "blinn_phong", "picture"};
+
 /// Values of a buffer to show as black and as white, instead of what the display gains make of them.
 struct ShownRange {
   float black = 0.0F, white = 1.0F;
@@ -66,6 +70,9 @@ class Pipeline {
   /// The buffer's raw values, the ones that the next pass reads: H x W x 3 for normal, shaded, final and
   /// blinn_phong, else H x W x 1. Errors as `picture`.
   Image raw(const Settings& settings, BufferName buffer);
+
+  /// The raw values of one pixel, 1 x 1; row 0 on top. Errors as `picture`.
+  Image pixel(const Settings& settings, BufferName buffer, int x, int y);
 
   /// Computes the buffer without reading it back.
   void draw(const Settings& settings, BufferName buffer);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
 
@@ -135,6 +136,17 @@ Image Texture::read(int first, int channels) const {
     for (int x = 0; x < width_px_; ++x)
       std::copy_n(from + x * info.channels + first, channels, &image.at(x, y));
   }
+  return image;
+}
+
+Image Texture::read_pixel(int x, int y, int first, int channels) const {
+  const FormatInfo info = info_of(format_);
+  assert(first + channels <= info.channels && x >= 0 && x < width_px_ && y >= 0 && y < height_px_);
+  std::array<float, 4> raw{};
+  glGetTextureSubImage(id_, 0, x, height_px_ - 1 - y, 0, 1, 1, 1, info.external, GL_FLOAT, sizeof(raw),
+                       raw.data());
+  Image image(1, 1, channels);
+  std::copy_n(raw.data() + first, channels, image.samples.data());
   return image;
 }
 

@@ -1,0 +1,17 @@
+// Two pictures in one place: both sides of a line that can be dragged, or one at a time.
+#pragma once
+
+#include <imgui.h>
+
+#include "app/window/workbench.h"
+
+namespace inkbench {
+
+/// Draws into the rectangle of the current ImGui window.
+void draw_comparison(Workbench& bench, ImVec2 low, ImVec2 room);
+
+/// Begins a comparison of the selected buffer: against its pinned self where a state is pinned, else against
+/// the next listed buffer. Ends one that is on.
+void toggle_comparison(Workbench& bench);
+
+}  // namespace inkbench

@@ -1,0 +1,45 @@
+// Which item the mouse rests on, and since when.
+#include "app/panels/hover.h"
+
+#include "app/panels/widgets.h"
+
+namespace inkbench {
+namespace {
+
+struct Rest {
+  ImVec2 low, high;
+  double since = 0.0;
+  int frame = -1;
+};
+
+Rest& rest() {
+  static Rest value;
+  return value;
+}
+
+bool is_same_place(const ImVec2& a, const ImVec2& b) {
+  return a.x == b.x && a.y == b.y;
+}
+
+}  // namespace
+
+double hover_seconds() {
+  if (!ImGui::IsItemHovered()) return -1.0;
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  Rest& now = rest();
+  const int frame = ImGui::GetFrameCount();
+  const bool same = is_same_place(low, now.low) && is_same_place(high, now.high) && frame - now.frame <= 1;
+  if (!same || ImGui::IsAnyMouseDown()) now.since = ImGui::GetTime();
+  now.low = low;
+  now.high = high;
+  now.frame = frame;
+  return ImGui::GetTime() - now.since;
+}
+
+bool is_hover_pending() {
+  const Rest& now = rest();
+  return now.frame == ImGui::GetFrameCount() && ImGui::GetTime() - now.since < kHelpDelay;
+}
+
+}  // namespace inkbench

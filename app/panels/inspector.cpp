@@ -1,0 +1,130 @@
+#include "app/panels/inspector.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "app/panels/value_bar.h"
+#include "app/panels/widgets.h"
+#include "app/window/gui.h"
+#include "app/window/theme.h"
+#include "pipeline/base/error.h"
+#include "pipeline/scene/settings_file.h"
+
+namespace inkbench {
+namespace {
+
+constexpr std::array<std::string_view, kBufferCount> kMeanings{
+    "Surface directions in world space, as colours.",
+    "Distance along the view as a share of the far plane's.",
+    "How much the normals change around each pixel.",
+    "How much the depth changes around each pixel.",
+    "Where the terms of both edges sum up to a line.",
+    "Light through the ramps, without ink.",
+    "Ink over the shading.",
+    "Plain Blinn-Phong light, whatever the ramps.",
+    "A colour for each model.",
+    "The lines of the meshes themselves, by class: what a perfect filter would draw.",
+};
+
+std::string values_text(const Image& pixel) {
+  std::string text;
+  for (int c = 0; c < pixel.channels; ++c)
+    text += (c > 0 ? "  " : "") + number_text(pixel.at(0, 0, c), false);
+  return text;
+}
+
+void draw_choice(Workbench& bench, BufferName buffer) {
+  PictureChoice& choice = bench.pictures.choice(buffer);
+  constexpr std::array kKinds{"With the display gains", "Fitted: smallest to largest", "Between two values"};
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::BeginCombo("##kind", kKinds[static_cast<size_t>(choice.kind)])) {
+    for (size_t i = 0; i < kKinds.size(); ++i) {
+      const auto kind = static_cast<PictureChoice::Kind>(i);
+      if (!ImGui::Selectable(kKinds[i], choice.kind == kind)) continue;
+      const ShownPicture& shown = bench.pictures.shown(buffer, false);
+      if (kind == PictureChoice::Kind::fixed && shown.range) choice.fixed = *shown.range;
+      choice.kind = kind;
+    }
+    ImGui::EndCombo();
+  }
+  bench.ui_map.mark_item("picture choice");
+  if (choice.kind != PictureChoice::Kind::fixed) return;
+  const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+  for (const auto& [label, value] :
+       {std::pair{"##black", &choice.fixed.black}, {"##white", &choice.fixed.white}}) {
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputFloat(label, value, 0, 0, "%.5g");
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+  faint_text("black and white");
+}
+
+void draw_buffer(Workbench& bench) {
+  const BufferName buffer = bench.view.filled.value_or(bench.view.selected);
+  ImGui::PushFont(fonts().bold);
+  ImGui::TextUnformatted(name_of(buffer).data());
+  ImGui::PopFont();
+  ImGui::PushTextWrapPos(0);
+  faint_text(kMeanings[static_cast<size_t>(buffer)]);
+  ImGui::PopTextWrapPos();
+  const ShownPicture& shown = bench.pictures.shown(buffer, false);
+  if (shown.texture != nullptr)
+    faint_text(fmt::format("{} × {} px", shown.texture->width_px(), shown.texture->height_px()));
+  ImGui::Dummy({0, scaled(2)});
+  const bool has_range = buffer != BufferName::object_id && buffer != BufferName::reference;
+  if (has_range) draw_choice(bench, buffer);
+}
+
+void value_row(Workbench& bench, BufferName buffer, const HoveredPixel& pixel) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  coloured_text(buffer == pixel.picture.buffer ? theme().text : theme().faint, name_of(buffer));
+  ImGui::TableNextColumn();
+  const ImageParams& image = bench.settings().image;
+  if (pixel.x >= image.width || pixel.y >= image.height) return;
+  try {
+    ImGui::TextUnformatted(
+        values_text(bench.pictures.pipeline().pixel(bench.settings(), buffer, pixel.x, pixel.y)).c_str());
+  } catch (const Error&) {
+    faint_text("?");  // told by the banner
+  }
+}
+
+void draw_values(Workbench& bench, const HoveredPixel& pixel) {
+  if (!ImGui::BeginTable("values", 2)) return;
+  ImGui::TableSetupColumn("buffer", ImGuiTableColumnFlags_WidthFixed,
+                          ImGui::CalcTextSize("combined_edges").x);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+  for (size_t i = 0; i < kFramebufferCount; ++i) {
+    const auto buffer = static_cast<BufferName>(i);
+    if (bench.is_listed(buffer)) value_row(bench, buffer, pixel);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void InspectorPanel::draw(Workbench& bench) {
+  panel_heading("Inspector");
+  draw_buffer(bench);
+  ImGui::Dummy({0, scaled(6)});
+  ImGui::Separator();
+  ImGui::Dummy({0, scaled(2)});
+  if (bench.view.hovered && !bench.view.hovered->picture.pinned) pixel_ = bench.view.hovered;
+  if (!pixel_) {
+    ImGui::PushTextWrapPos(0);
+    faint_text("Move the mouse over a picture to read the value of every buffer there.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  ImGui::PushFont(fonts().bold);
+  ImGui::Text("Pixel %d, %d", pixel_->x, pixel_->y);
+  ImGui::PopFont();
+  const bool can_draw = !bench.problems().contains(ProblemKind::drawing);
+  if (can_draw) draw_values(bench, *pixel_);
+}
+
+}  // namespace inkbench

@@ -1,0 +1,113 @@
+#include "app/panels/keys_page.h"
+
+#include <imgui.h>
+
+#include <array>
+
+#include "app/panels/widgets.h"
+#include "app/window/gui.h"
+#include "app/window/theme.h"
+
+namespace inkbench {
+namespace {
+
+struct Entry {
+  const char* keys;
+  const char* meaning;
+};
+
+constexpr std::array kPictures{
+    Entry{"Wheel", "zoom about the mouse, all pictures together"},
+    Entry{"Drag", "move the pictures"},
+    Entry{"Double click", "fill the window with one; again for all"},
+    Entry{"1 to 9, 0", "fill the window with that buffer"},
+    Entry{"Esc", "back to all"},
+    Entry{"F, Z", "fit; one to one"},
+    Entry{"C, Space", "compare two; flip between them"},
+    Entry{"P", "pin this state to compare with"},
+};
+
+constexpr std::array kParameters{
+    Entry{"Drag", "set; with Shift finer"},
+    Entry{"Ctrl+click", "type a number"},
+    Entry{"Right click", "reset to the scene's value"},
+    Entry{"Ctrl+F", "search parameters"},
+};
+
+constexpr std::array kCamera{
+    Entry{"Alt+drag", "turn about the target"},
+    Entry{"Alt+Shift+drag", "move along the picture"},
+    Entry{"Alt+wheel", "nearer, farther"},
+    Entry{"O, V", "the mouse for the camera; for the view"},
+};
+
+constexpr std::array kWindow{
+    Entry{"Tab", "pictures alone; again for all panels"},
+    Entry{"F11, F12", "full screen; save a screenshot"},
+    Entry{"Ctrl+O, Ctrl+Q", "open a file; quit"},
+    Entry{"F1", "this page"},
+};
+
+template <size_t kCount>
+void draw_list(const char* title, const std::array<Entry, kCount>& entries) {
+  ImGui::PushFont(fonts().bold);
+  coloured_text(theme().accent, title);
+  ImGui::PopFont();
+  if (!ImGui::BeginTable(title, 2)) return;
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, scaled(120));
+  ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
+  for (const Entry& entry : entries) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(entry.keys);
+    ImGui::TableNextColumn();
+    faint_text(entry.meaning);
+  }
+  ImGui::EndTable();
+  ImGui::Dummy({0, scaled(6)});
+}
+
+void draw_columns() {
+  const float width = (ImGui::GetContentRegionAvail().x - scaled(24)) / 2;
+  const float height = scaled(320);
+  ImGui::BeginChild("left", {width, height});
+  draw_list("Pictures", kPictures);
+  draw_list("Window", kWindow);
+  ImGui::EndChild();
+  ImGui::SameLine(0, scaled(24));
+  ImGui::BeginChild("right", {width, height});
+  draw_list("Parameters", kParameters);
+  draw_list("Camera", kCamera);
+  ImGui::EndChild();
+}
+
+}  // namespace
+
+void draw_keys_page(Workbench& bench) {
+  if (!bench.window.keys_page) return;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({std::min(scaled(860), screen.x - scaled(20)), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(26), scaled(20)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().bar);
+  ImGui::Begin("keys and mouse", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PushFont(fonts().bold);
+  ImGui::TextUnformatted("Keys and mouse");
+  ImGui::PopFont();
+  faint_text("Every number has a slider on the left; every picture follows at once.");
+  ImGui::Dummy({0, scaled(8)});
+  draw_columns();
+  if (ImGui::Button("Start", {scaled(110), 0})) bench.window.keys_page = false;
+  bench.ui_map.mark_item("start");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  faint_text("Esc closes this page, F1 shows it again.");
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace inkbench

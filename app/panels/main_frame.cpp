@@ -1,0 +1,160 @@
+#include "app/panels/main_frame.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/banner.h"
+#include "app/panels/contact_sheet.h"
+#include "app/panels/hover.h"
+#include "app/panels/keys_page.h"
+#include "app/panels/shortcuts.h"
+#include "app/panels/status_bar.h"
+#include "app/panels/timings.h"
+#include "app/panels/toolbar.h"
+#include "app/panels/widgets.h"
+#include "app/window/theme.h"
+
+namespace inkbench {
+namespace {
+
+constexpr float kSmallestSide = 160, kSmallestBottom = 70, kSmallestMiddle = 240;
+constexpr float kDivider = 4;
+
+struct Area {
+  ImVec2 low, high;
+  bool is_empty() const { return high.x - low.x < 1 || high.y - low.y < 1; }
+};
+
+constexpr ImGuiWindowFlags kPanelFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                         ImGuiWindowFlags_NoSavedSettings |
+                                         ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+template <class Draw>
+void panel(const char* name, const Area& area, ImU32 colour, const Draw& draw, ImGuiWindowFlags flags = 0) {
+  if (area.is_empty()) return;
+  ImGui::SetNextWindowPos(area.low);
+  ImGui::SetNextWindowSize({area.high.x - area.low.x, area.high.y - area.low.y});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::Begin(name, nullptr, kPanelFlags | flags);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  draw();
+  ImGui::End();
+}
+
+/// A strip that can be dragged; returns by how much.
+float divider(Workbench& bench, const char* name, const Area& area, bool upright) {
+  float moved = 0;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  panel(name, area, theme().line, [&] {
+    ImGui::InvisibleButton("grip", {area.high.x - area.low.x, area.high.y - area.low.y});
+    bench.ui_map.mark_item(name);
+    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (hot) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    if (hot) ImGui::GetWindowDrawList()->AddRectFilled(area.low, area.high, theme().accent);
+    if (ImGui::IsItemActive()) moved = upright ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+  });
+  ImGui::PopStyleVar();
+  return moved;
+}
+
+int moved_size(int size, float by) {
+  return std::max(0, size + static_cast<int>(std::lround(by / scaled(100) * 100)));
+}
+
+}  // namespace
+
+struct MainFrame::Places {
+  Area left, middle, right, timings, log, status;
+  Area left_divider, right_divider, bottom_divider;
+};
+
+MainFrame::Places MainFrame::arrange(Workbench& bench) const {
+  const WindowParams& window = bench.window;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float top = menu_bar_.height();
+  const float foot = screen.y - ImGui::GetTextLineHeight() - scaled(8);
+  const float gap = scaled(kDivider);
+  const auto side = [&](bool shown, int wanted) {
+    return shown ? std::clamp(scaled(static_cast<float>(wanted)), scaled(kSmallestSide), screen.x * 0.42F)
+                 : 0;
+  };
+  float left = side(window.show_left, window.left);
+  float right = side(window.show_right, window.right);
+  const float spare = screen.x - left - right - scaled(kSmallestMiddle);
+  if (spare < 0) right = std::max(0.0F, right + spare);
+  const float bottom = window.show_bottom ? std::clamp(scaled(static_cast<float>(window.bottom)),
+                                                       scaled(kSmallestBottom), (foot - top) * 0.6F)
+                                          : 0;
+  const float middle_foot = bottom > 0 ? foot - bottom - gap : foot;
+  Places places;
+  const float x1 = left > 0 ? left + gap : 0;
+  const float x2 = right > 0 ? screen.x - right - gap : screen.x;
+  places.left = {{0, top}, {left, foot}};
+  if (left > 0) places.left_divider = {{left, top}, {left + gap, foot}};
+  places.middle = {{x1, top}, {x2, middle_foot}};
+  if (right > 0) places.right_divider = {{x2, top}, {x2 + gap, middle_foot}};
+  if (right > 0) places.right = {{x2 + gap, top}, {screen.x, middle_foot}};
+  if (bottom > 0) {
+    const float split = std::round(x1 + (screen.x - x1) * 0.5F);
+    places.bottom_divider = {{x1, middle_foot}, {screen.x, middle_foot + gap}};
+    places.timings = {{x1, middle_foot + gap}, {split, foot}};
+    places.log = {{split + 1, middle_foot + gap}, {screen.x, foot}};
+  }
+  places.status = {{0, foot}, screen};
+  return places;
+}
+
+void MainFrame::draw_dividers(Workbench& bench, const Places& places) {
+  WindowParams& window = bench.window;
+  window.left = moved_size(window.left, divider(bench, "divider:left", places.left_divider, true));
+  window.right = moved_size(window.right, -divider(bench, "divider:right", places.right_divider, true));
+  window.bottom = moved_size(window.bottom, -divider(bench, "divider:bottom", places.bottom_divider, false));
+}
+
+void MainFrame::draw_bottom(Workbench& bench, const Places& places) {
+  panel("timings", places.timings, theme().panel, [&] {
+    panel_heading("Timings");
+    draw_timings(bench);
+  });
+  panel("log", places.log, theme().panel, [&] {
+    panel_heading("Log");
+    log_.draw(bench);
+  });
+}
+
+void MainFrame::draw(Workbench& bench) {
+  const ShortcutRequests keys = handle_shortcuts(bench);
+  if (keys.search) {
+    bench.window.show_left = true;
+    parameters_.focus_search();
+  }
+  if (keys.open) menu_bar_.ask_for_file();
+  menu_bar_.draw(bench);
+  const Places places = arrange(bench);
+  panel("parameters", places.left, theme().panel, [&] {
+    panel_heading("Parameters");
+    parameters_.draw(bench);
+  });
+  panel(
+      "pictures", places.middle, theme().canvas,
+      [&] {
+        draw_toolbar(bench);
+        draw_banner(bench);
+        draw_contact_sheet(bench);
+      },
+      ImGuiWindowFlags_NoScrollWithMouse);
+  panel("inspector", places.right, theme().panel, [&] { inspector_.draw(bench); });
+  draw_bottom(bench, places);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(4)));
+  panel("status", places.status, theme().bar, [&] { draw_status_bar(bench); });
+  ImGui::PopStyleVar();
+  draw_dividers(bench, places);
+  draw_keys_page(bench);
+  if (is_hover_pending()) bench.wake_in(kHelpDelay / 2);
+}
+
+}  // namespace inkbench

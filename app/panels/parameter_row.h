@@ -1,0 +1,22 @@
+// One parameter as a row: a mark where it was changed, its name, and the editor that its description asks
+// for.
+#pragma once
+
+#include <string>
+
+#include "app/window/workbench.h"
+
+namespace inkbench {
+
+struct RowContext {
+  std::string key;
+  const Field* field = nullptr;
+  Value value;
+  Value baseline;        ///< What a reset gives.
+  bool matters = true;   ///< Else drawn dim: nothing depends on it now.
+  float name_width = 0;  ///< Of the column of names.
+};
+
+void parameter_row(Workbench& bench, const RowContext& row);
+
+}  // namespace inkbench

@@ -1,0 +1,85 @@
+#include "app/panels/picture_tile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/camera_mouse.h"
+#include "app/window/theme.h"
+
+namespace inkbench {
+namespace {
+
+constexpr double kWheelFactor = 1.2;
+
+const ShownPicture& picture_of(const Workbench& bench, const ComparedPicture& which) {
+  return bench.pictures.shown(which.buffer, which.pinned);
+}
+
+void remember_hover(Workbench& bench, const ComparedPicture& which, const TileFrame& frame) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const PicturePoint point = point_under(bench.view, frame, mouse.x, mouse.y);
+  const int x = static_cast<int>(std::floor(point.x));
+  const int y = static_cast<int>(std::floor(point.y));
+  const bool inside = x >= 0 && y >= 0 && x < frame.picture_width && y < frame.picture_height;
+  if (inside) bench.view.hovered = HoveredPixel{which, x, y};
+}
+
+void move_view(Workbench& bench, const TileFrame& frame, bool dragging) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const double wheel = static_cast<double>(io.MouseWheel);
+  if (ImGui::IsItemHovered() && wheel != 0.0)
+    zoom_about(bench.view, frame, io.MousePos.x, io.MousePos.y, std::pow(kWheelFactor, wheel));
+  if (dragging) pan_by(bench.view, frame, io.MouseDelta.x, io.MouseDelta.y);
+}
+
+}  // namespace
+
+TileFrame frame_of(const Workbench& bench, const ComparedPicture& which, const TileRect& rect) {
+  const ShownPicture& shown = picture_of(bench, which);
+  TileFrame frame{rect.low.x, rect.low.y, std::max(rect.width(), 1.0F), std::max(rect.height(), 1.0F)};
+  if (shown.texture != nullptr) {
+    frame.picture_width = shown.texture->width_px();
+    frame.picture_height = shown.texture->height_px();
+  }
+  return frame;
+}
+
+void draw_picture(Workbench& bench, const std::string& slot, const ComparedPicture& which,
+                  const TileRect& rect, const TileRect& clip) {
+  const ShownPicture& shown = picture_of(bench, which);
+  const int width = static_cast<int>(rect.width());
+  const int height = static_cast<int>(rect.height());
+  if (shown.texture == nullptr || width < 1 || height < 1) return;
+  const TileFrame frame = frame_of(bench, which, rect);
+  if (bench.view.wanted_magnification) set_magnification(bench.view, frame, *bench.view.wanted_magnification);
+  bench.view.wanted_magnification.reset();
+  bench.view.magnification = magnification(bench.view, frame);
+  const PicturePoint corner = point_under(bench.view, frame, frame.left, frame.top);
+  const TilePlace place{corner.x, corner.y, 1.0 / magnification(bench.view, frame)};
+  const Texture& tile = bench.tiles.paint(slot, *shown.texture, shown.key, place, width, height);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(clip.low, clip.high, true);
+  list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(tile.id())), rect.low, rect.high, {0, 1},
+                {1, 0});
+  list.PopClipRect();
+}
+
+TileMouse handle_tile_mouse(Workbench& bench, const std::string& id, const ComparedPicture& which,
+                            const TileRect& rect) {
+  ImGui::SetCursorScreenPos(rect.low);
+  ImGui::InvisibleButton(id.c_str(), {std::max(rect.width(), 1.0F), std::max(rect.height(), 1.0F)},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                             ImGuiButtonFlags_MouseButtonRight);
+  bench.ui_map.mark_item(id);
+  const TileFrame frame = frame_of(bench, which, rect);
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered) remember_hover(bench, which, frame);
+  if (!which.pinned && camera_mouse(bench, frame)) return {hovered};
+  const bool held = ImGui::IsItemActive();
+  const bool dragging = held && (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0F) ||
+                                 ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0F));
+  move_view(bench, frame, dragging);
+  return {hovered, ImGui::IsItemClicked(), hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)};
+}
+
+}  // namespace inkbench

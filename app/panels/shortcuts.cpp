@@ -1,0 +1,103 @@
+#include "app/panels/shortcuts.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/panels/comparison.h"
+
+namespace inkbench {
+namespace {
+
+bool pressed(int key) {
+  return ImGui::IsKeyPressed(key, false);
+}
+
+/// The key by the letter on it, whatever the keyboard's layout.
+bool letter_pressed(char letter) {
+  for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {
+    if (!pressed(key)) continue;
+    const char* name = glfwGetKeyName(key, 0);
+    const char shown = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0'
+                           ? name[0]
+                           : static_cast<char>('a' + key - GLFW_KEY_A);
+    if (shown == letter) return true;
+  }
+  return false;
+}
+
+void set_zoom(Workbench& bench, float change) {
+  bench.window.zoom = std::clamp(bench.window.zoom + change, 0.5F, 3.0F);
+}
+
+ShortcutRequests with_control(Workbench& bench) {
+  ShortcutRequests requests;
+  requests.search = letter_pressed('f');
+  requests.open = letter_pressed('o');
+  if (letter_pressed('q')) bench.requests.close = true;
+  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) set_zoom(bench, 0.1F);
+  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) set_zoom(bench, -0.1F);
+  return requests;
+}
+
+void fill_by_number(Workbench& bench) {
+  for (size_t i = 0; i < kBufferCount; ++i) {
+    const int digit = static_cast<int>((i + 1) % 10);
+    if (!pressed(GLFW_KEY_0 + digit) && !pressed(GLFW_KEY_KP_0 + digit)) continue;
+    const auto buffer = static_cast<BufferName>(i);
+    const bool again = bench.view.filled == buffer && !bench.view.comparison.active;
+    bench.view.comparison.active = false;
+    bench.view.selected = buffer;
+    bench.view.filled = again ? std::nullopt : std::optional(buffer);
+  }
+}
+
+/// One step back towards the sheet of all buffers.
+void step_back(Workbench& bench) {
+  if (bench.window.keys_page) {
+    bench.window.keys_page = false;
+  } else if (bench.view.comparison.active) {
+    bench.view.comparison.active = false;
+  } else {
+    bench.view.filled.reset();
+  }
+}
+
+void toggle_panels(WindowParams& window) {
+  const bool any = window.show_left || window.show_right || window.show_bottom;
+  window.show_left = window.show_right = window.show_bottom = !any;
+}
+
+void plain_letters(Workbench& bench) {
+  if (letter_pressed('f')) bench.view.fit();
+  if (letter_pressed('z')) bench.view.wanted_magnification = 1.0;
+  if (letter_pressed('c')) toggle_comparison(bench);
+  if (letter_pressed('p')) bench.pin();
+  if (letter_pressed('v')) bench.view.tool = MouseTool::view;
+  if (letter_pressed('o')) bench.view.tool = MouseTool::camera;
+}
+
+}  // namespace
+
+ShortcutRequests handle_shortcuts(Workbench& bench) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (pressed(GLFW_KEY_F1)) bench.window.keys_page = !bench.window.keys_page;
+  if (pressed(GLFW_KEY_F11)) bench.requests.toggle_full_screen = true;
+  if (pressed(GLFW_KEY_F12)) bench.requests.screenshot = true;
+  if (io.KeyCtrl && !io.KeyAlt) return with_control(bench);
+  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (io.WantTextInput || popup || io.KeyAlt) return {};
+  if (pressed(GLFW_KEY_ESCAPE)) step_back(bench);
+  if (pressed(GLFW_KEY_TAB)) toggle_panels(bench.window);
+  Comparison& comparison = bench.view.comparison;
+  if (pressed(GLFW_KEY_SPACE) && comparison.active) {
+    if (comparison.flips) comparison.shows_b = !comparison.shows_b;
+    comparison.flips = true;
+  }
+  fill_by_number(bench);
+  plain_letters(bench);
+  return {};
+}
+
+}  // namespace inkbench

@@ -1,0 +1,33 @@
+// A number to drag, type or reset: a bar filled up to the value on its scale. In: the number and its
+// description. Out: what the person did with it.
+#pragma once
+
+#include <string>
+
+#include "pipeline/params/description.h"
+
+namespace inkbench {
+
+struct BarResult {
+  bool pressed = false;   ///< Dragging begins.
+  bool released = false;  ///< Dragging ends.
+  bool dragged = false;   ///< `value` is another one.
+  bool reset = false;     ///< Right click.
+  double value = 0.0;
+  std::string typed;  ///< Not empty: what was typed and confirmed.
+};
+
+/// `id` must be unique in its window. Dragging sets values of the useful range in sensible steps, finer with
+/// Shift; Ctrl and click types any number.
+BarResult value_bar(const char* id, double value, const Field& field, float width);
+
+/// The number as people read it: the shortest text, at most five digits.
+std::string number_text(double value, bool whole);
+
+/// A value of the useful range at a share of the bar, in sensible steps.
+double value_at(const Field& field, double share, bool fine);
+
+/// Where on the bar a value is, 0 to 1.
+double share_of(const Field& field, double value);
+
+}  // namespace inkbench

@@ -1,0 +1,90 @@
+#include "app/panels/widgets.h"
+
+#include "app/window/gui.h"
+#include "app/window/theme.h"
+
+namespace inkbench {
+namespace {
+
+const char* begin_of(std::string_view text) {
+  return text.data();
+}
+const char* end_of(std::string_view text) {
+  return text.data() + text.size();
+}
+
+float width_of(std::string_view text) {
+  return ImGui::CalcTextSize(begin_of(text), end_of(text)).x;
+}
+
+/// The longest start of the text that fits with "..." behind it.
+std::string shortened(std::string_view text, float width) {
+  const float dots = width_of("…");
+  const char* rest = nullptr;
+  ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(width - dots, 0.0F), 0.0F, begin_of(text),
+                                  end_of(text), &rest);
+  return std::string(begin_of(text), rest) + "…";
+}
+
+}  // namespace
+
+void coloured_text(ImU32 colour, std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::TextUnformatted(begin_of(text), end_of(text));
+  ImGui::PopStyleColor();
+}
+
+void faint_text(std::string_view text) {
+  coloured_text(theme().faint, text);
+}
+
+void fitted_text(std::string_view text, float width, ImU32 colour) {
+  if (width_of(text) <= width) {
+    coloured_text(colour, text);
+    return;
+  }
+  coloured_text(colour, shortened(text, width));
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
+}
+
+float draw_fitted_text(ImDrawList& list, ImVec2 place, float width, ImU32 colour, std::string_view text) {
+  const std::string shown = width_of(text) <= width ? std::string(text) : shortened(text, width);
+  list.AddText(place, colour, shown.data(), shown.data() + shown.size());
+  return width_of(shown);
+}
+
+bool toggle_button(const char* label, bool on, std::string_view help) {
+  if (on) {
+    ImGui::PushStyleColor(ImGuiCol_Button, theme().accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme().accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme().accent);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().on_accent);
+  }
+  const bool pressed = ImGui::Button(label);
+  if (on) ImGui::PopStyleColor(4);
+  if (!help.empty()) help_for_item(help);
+  return pressed;
+}
+
+void panel_heading(std::string_view text) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 low = ImGui::GetWindowPos();
+  const float height = ImGui::GetFrameHeight() + scaled(2);
+  const ImVec2 high{low.x + ImGui::GetWindowWidth(), low.y + height};
+  list.AddRectFilled(low, high, theme().bar);
+  list.AddText(fonts().bold, ImGui::GetFontSize(),
+               {low.x + scaled(10), low.y + (height - ImGui::GetFontSize()) / 2}, theme().text,
+               begin_of(text), end_of(text));
+  ImGui::SetCursorScreenPos({low.x + ImGui::GetStyle().WindowPadding.x, high.y + scaled(6)});
+}
+
+void help_for_item(std::string_view text) {
+  if (hover_seconds() < kHelpDelay) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(scaled(320));
+  ImGui::TextUnformatted(begin_of(text), end_of(text));
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+}  // namespace inkbench

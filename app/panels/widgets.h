@@ -1,0 +1,36 @@
+// Small parts that several panels draw with ImGui.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+
+namespace inkbench {
+
+/// Text in a colour of the theme.
+void coloured_text(ImU32 colour, std::string_view text);
+/// Text that can wait.
+void faint_text(std::string_view text);
+
+/// Text that is cut with "..." where it would be wider than `width`; hovering shows all of it.
+void fitted_text(std::string_view text, float width, ImU32 colour);
+
+/// As `fitted_text`, drawn without taking space. Returns the width it took.
+float draw_fitted_text(ImDrawList& list, ImVec2 place, float width, ImU32 colour, std::string_view text);
+
+/// A button that is on or off.
+bool toggle_button(const char* label, bool on, std::string_view help = "");
+
+/// A heading across a panel.
+void panel_heading(std::string_view text);
+
+/// A tooltip for the last item, which wraps long lines.
+void help_for_item(std::string_view text);
+
+/// How long the mouse has rested on the last item, in seconds; below zero where it is not on it.
+double hover_seconds();
+/// When tooltips that explain appear.
+inline constexpr double kHelpDelay = 0.35;
+
+}  // namespace inkbench

@@ -1,0 +1,46 @@
+// Dear ImGui's life in a window: its context, fonts at the display's scale, and a frame's begin and end.
+#pragma once
+
+#include <imgui.h>
+
+#include "app/window/input.h"
+#include "app/window/theme.h"
+#include "app/window/window.h"
+
+namespace inkbench {
+
+/// Fonts by their use; DejaVu Sans, or ImGui's own where it is not installed.
+struct Fonts {
+  ImFont* text = nullptr;
+  ImFont* bold = nullptr;
+  ImFont* fixed = nullptr;  ///< All characters of one width: paths, logs.
+};
+const Fonts& fonts();
+
+class Gui {
+ public:
+  /// The window's context must be current; both must outlive this.
+  Gui(Window& window, InputQueue& input);
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+  ~Gui();
+
+  /// Palette and text size from the next frame on; `zoom` is on top of the desktop's scale.
+  void set_look(ThemeName name, float zoom);
+
+  void begin_frame();
+  /// Draws the frame into the window. Errors (work): what OpenGL reports.
+  void end_frame();
+
+ private:
+  void make_fonts(float scale);
+
+  Window& window_;
+  InputQueue& input_;
+  ThemeName theme_ = ThemeName::dark;
+  float zoom_ = 1.0F;
+  float font_scale_ = 0.0F;
+  bool look_changed_ = true;
+};
+
+}  // namespace inkbench

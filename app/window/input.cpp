@@ -1,0 +1,142 @@
+#include "app/window/input.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include <cfloat>
+#include <set>
+#include <utility>
+
+namespace inkbench {
+namespace {
+
+using Kind = InputEvent::Kind;
+
+bool makes_text(int key) {
+  return key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2;
+}
+
+}  // namespace
+
+/// What a frame has been told so far.
+struct InputQueue::FrameState {
+  std::bitset<5> buttons;  ///< That changed.
+  std::set<int> keys;      ///< That changed.
+  bool scrolled = false, other_keys = false;
+};
+
+InputQueue::InputQueue(GLFWwindow* window) : window_(window) {
+  glfwSetWindowUserPointer(window, this);
+  watch_mouse();
+  watch_keyboard();
+  watch_window();
+}
+
+InputQueue& InputQueue::of(GLFWwindow* window) {
+  return *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
+}
+
+void InputQueue::push(const InputEvent& event) {
+  activity_ = true;
+  // Movements in a row are one: only where they end matters, and a slow frame would fall behind.
+  if (event.kind == Kind::move && !events_.empty() && events_.back().kind == Kind::move) events_.pop_back();
+  events_.push_back(event);
+}
+
+void InputQueue::watch_mouse() {
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+    of(window).push({.kind = Kind::move, .x = x, .y = y});
+  });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int entered) {
+    InputEvent event{.kind = entered == GLFW_TRUE ? Kind::move : Kind::leave};
+    glfwGetCursorPos(window, &event.x, &event.y);
+    of(window).push(event);
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int mods) {
+    of(window).push({.kind = Kind::button, .code = button, .action = action, .mods = mods});
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
+    of(window).push({.kind = Kind::scroll, .x = x, .y = y});
+  });
+}
+
+void InputQueue::watch_keyboard() {
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int mods) {
+    of(window).push({.kind = Kind::key, .code = key, .scancode = scancode, .action = action, .mods = mods});
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int code) {
+    of(window).push({.kind = Kind::text, .code = static_cast<int>(code)});
+  });
+}
+
+void InputQueue::watch_window() {
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
+    of(window).activity_ = true;
+    ImGui_ImplGlfw_WindowFocusCallback(window, focused);
+  });
+  const auto repaint = [](GLFWwindow* window) { of(window).activity_ = true; };
+  glfwSetWindowRefreshCallback(window_, repaint);
+  glfwSetWindowCloseCallback(window_, repaint);
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { of(window).activity_ = true; });
+  glfwSetWindowContentScaleCallback(window_,
+                                    [](GLFWwindow* window, float, float) { of(window).activity_ = true; });
+  glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+    of(window).activity_ = true;
+    for (int i = 0; i < count; ++i) of(window).dropped_.emplace_back(paths[i]);
+  });
+}
+
+bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
+  switch (event.kind) {
+    case Kind::move:
+    case Kind::leave:
+      if (frame.buttons.any() || frame.scrolled) return false;
+      mouse_inside_ = event.kind == Kind::move;
+      mouse_x_ = event.x;
+      mouse_y_ = event.y;
+      return true;
+    case Kind::button:
+      if (event.code < 0 || event.code >= static_cast<int>(buttons_.size())) return true;
+      if (frame.buttons[event.code] || frame.scrolled) return false;
+      frame.buttons[event.code] = true;
+      buttons_[event.code] = event.action == GLFW_PRESS;
+      return true;
+    case Kind::scroll:
+      if (frame.buttons.any()) return false;
+      frame.scrolled = true;
+      ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
+      return true;
+    case Kind::key:
+      if (frame.buttons.any() || frame.scrolled || frame.keys.contains(event.code)) return false;
+      frame.keys.insert(event.code);
+      frame.other_keys |= !makes_text(event.code);
+      ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.mods);
+      return true;
+    case Kind::text:
+      if (frame.other_keys) return false;
+      ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
+      return true;
+  }
+  return true;
+}
+
+void InputQueue::feed() {
+  FrameState frame;
+  while (!events_.empty() && feed_one(events_.front(), frame)) events_.pop_front();
+  ImGuiIO& io = ImGui::GetIO();
+  const bool known = mouse_inside_ || buttons_.any();
+  io.MousePos =
+      known ? ImVec2(static_cast<float>(mouse_x_), static_cast<float>(mouse_y_)) : ImVec2(-FLT_MAX, -FLT_MAX);
+  for (size_t i = 0; i < buttons_.size(); ++i) io.MouseDown[i] = buttons_[i];
+}
+
+bool InputQueue::take_activity() {
+  return std::exchange(activity_, false);
+}
+
+std::vector<std::string> InputQueue::take_dropped() {
+  return std::exchange(dropped_, {});
+}
+
+}  // namespace inkbench

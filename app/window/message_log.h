@@ -1,0 +1,34 @@
+// What the window tells: notes, warnings and errors with their time. Safe from any thread.
+#pragma once
+
+#include <deque>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace inkbench {
+
+enum class Severity { note, warning, error };
+
+struct Message {
+  Severity severity = Severity::note;
+  std::string time;  ///< "14:03:27", local.
+  std::string text;
+  int repeats = 1;  ///< The same message again is counted, not listed.
+};
+
+class MessageLog {
+ public:
+  void add(Severity severity, const std::string& text);
+  std::vector<Message> messages() const;
+  void clear();
+  /// Rises with every change: what is shown of it is out of date when this is another number.
+  long revision() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::deque<Message> messages_;
+  long revision_ = 0;
+};
+
+}  // namespace inkbench

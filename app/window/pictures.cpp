@@ -1,0 +1,126 @@
+#include "app/window/pictures.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/gl/context.h"
+#include "studies/reference/drawing.h"
+
+namespace inkbench {
+namespace {
+
+/// Lines that took longer than this are not found anew while a slider is held.
+constexpr double kLongMs = 25.0;
+
+size_t place_of(BufferName buffer) {
+  return static_cast<size_t>(buffer);
+}
+
+Texture upload_picture(const Picture& picture) {
+  Image image(picture.width_px, picture.height_px, 4, 1.0F);
+  for (int y = 0; y < picture.height_px; ++y) {
+    for (int x = 0; x < picture.width_px; ++x) {
+      for (int c = 0; c < 3; ++c) image.at(x, y, c) = static_cast<float>(picture.at(x, y, c)) / 255.0F;
+    }
+  }
+  Texture texture("reference picture", TextureFormat::rgba8, picture.width_px, picture.height_px);
+  texture.upload(image);
+  return texture;
+}
+
+Texture copy_of(const Texture& from) {
+  Texture copy("pinned picture", from.format(), from.width_px(), from.height_px());
+  glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, copy.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                     from.width_px(), from.height_px(), 1);
+  return copy;
+}
+
+ShownRange range_of(const Image& image) {
+  float low = std::numeric_limits<float>::max();
+  float high = std::numeric_limits<float>::lowest();
+  for (const float value : image.samples) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (!(low < high)) return {std::min(low, 0.0F), std::max(high, 1.0F)};
+  return {low, high};
+}
+
+}  // namespace
+
+Pictures::Pictures() = default;
+
+const ShownPicture& Pictures::shown(BufferName buffer, bool pinned) const {
+  return pinned ? pinned_[place_of(buffer)] : now_[place_of(buffer)];
+}
+
+bool Pictures::has_late() const {
+  return std::any_of(now_.begin(), now_.end(), [](const ShownPicture& picture) { return picture.is_late; });
+}
+
+ShownRange Pictures::fitted_range(const Settings& settings, BufferName buffer) {
+  return ranges_[place_of(buffer)].get(pipeline_.buffer_key(settings, buffer),
+                                       [&] { return range_of(pipeline_.raw(settings, buffer)); });
+}
+
+void Pictures::refresh_reference(const Settings& settings, bool held) {
+  ShownPicture& shown = now_[place_of(BufferName::reference)];
+  const Key key = pipeline_.buffer_key(settings, BufferName::reference);
+  if (shown.texture != nullptr && shown.key == key) {
+    shown.is_late = false;
+    return;
+  }
+  if (held && reference_ms_ > kLongMs && shown.texture != nullptr) {
+    shown.is_late = true;
+    return;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const Picture picture = draw_reference(source_.reference(settings));
+  reference_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  const Texture& texture = reference_.get(key, [&] { return upload_picture(picture); });
+  shown = {&texture, key, std::nullopt, false};
+}
+
+void Pictures::refresh_one(const Settings& settings, BufferName buffer, bool held) {
+  if (buffer == BufferName::reference) {
+    refresh_reference(settings, held);
+    return;
+  }
+  const PictureChoice& choice = choices_[place_of(buffer)];
+  std::optional<ShownRange> range;
+  if (choice.kind == PictureChoice::Kind::fitted) range = fitted_range(settings, buffer);
+  if (choice.kind == PictureChoice::Kind::fixed) range = choice.fixed;
+  const PictureTexture picture = pipeline_.picture_texture(settings, buffer, range);
+  now_[place_of(buffer)] = {picture.texture, picture.key, range, false};
+}
+
+void Pictures::refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool held) {
+  for (size_t i = 0; i < kBufferCount; ++i) {
+    if (wanted[i]) refresh_one(settings, static_cast<BufferName>(i), held);
+  }
+}
+
+void Pictures::pin(const Settings& settings) {
+  std::array<bool, kBufferCount> all{};
+  all.fill(true);
+  refresh(settings, all, false);
+  for (size_t i = 0; i < kBufferCount; ++i) {
+    pinned_textures_[i] = copy_of(*now_[i].texture);
+    pinned_[i] = now_[i];
+    pinned_[i].texture = &pinned_textures_[i];
+    pinned_[i].key = KeyBuilder().add("pinned").add(now_[i].key).key();
+  }
+  pinned_settings_ = settings;
+  throw_gl_errors("pinning the pictures");
+}
+
+void Pictures::unpin() {
+  pinned_ = {};
+  for (Texture& texture : pinned_textures_) texture = Texture();
+  pinned_settings_.reset();
+}
+
+}  // namespace inkbench

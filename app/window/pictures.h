@@ -1,0 +1,72 @@
+// The buffers' pictures as the window shows them: those of the settings now, and those of an earlier state
+// that was pinned. They are the pipeline's own pictures, left on the GPU; what is unchanged is a lookup.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "pipeline/pipeline.h"
+#include "studies/reference/buffer_source.h"
+
+namespace inkbench {
+
+constexpr size_t kBufferCount = kBufferNames.size();
+
+/// A picture to show; `texture` is nullptr while there is none.
+struct ShownPicture {
+  const Texture* texture = nullptr;
+  Key key;
+  std::optional<ShownRange> range;  ///< What is black and white, where the display gains do not say.
+  bool is_late = false;             ///< Of earlier settings: it takes long and waits until nothing is held.
+};
+
+/// How a buffer's values become a picture. Of the window only: files are written with the display gains.
+struct PictureChoice {
+  enum class Kind { gains, fitted, fixed };
+  Kind kind = Kind::gains;
+  ShownRange fixed;
+};
+
+class Pictures {
+ public:
+  /// Needs a current OpenGL 4.5 context for its whole life. Errors (input): a shader does not compile.
+  Pictures();
+
+  /// Draws what `wanted` names and is not up to date. `held`: a slider is being dragged, so that what takes
+  /// long waits. Errors (input, work): what cannot be drawn; that picture and those after it stay as they
+  /// were.
+  void refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool held);
+
+  const ShownPicture& shown(BufferName buffer, bool pinned) const;
+  /// Whether something waits for a refresh that is not held.
+  bool has_late() const;
+
+  PictureChoice& choice(BufferName buffer) { return choices_[static_cast<size_t>(buffer)]; }
+
+  /// Keeps the pictures as they are now, to compare with. Errors as `refresh`.
+  void pin(const Settings& settings);
+  void unpin();
+  const std::optional<Settings>& pinned_settings() const { return pinned_settings_; }
+
+  Pipeline& pipeline() { return pipeline_; }
+  const Pipeline& pipeline() const { return pipeline_; }
+  BufferSource& source() { return source_; }
+
+ private:
+  void refresh_one(const Settings& settings, BufferName buffer, bool held);
+  void refresh_reference(const Settings& settings, bool held);
+  ShownRange fitted_range(const Settings& settings, BufferName buffer);
+
+  Pipeline pipeline_;
+  BufferSource source_{pipeline_};
+  std::array<PictureChoice, kBufferCount> choices_;
+  std::array<ShownPicture, kBufferCount> now_, pinned_;
+  std::array<Stage<ShownRange>, kBufferCount> ranges_;
+  Stage<Texture> reference_;
+  std::array<Texture, kBufferCount> pinned_textures_;
+  std::optional<Settings> pinned_settings_;
+  double reference_ms_ = 0.0;  ///< What the lines took last.
+};
+
+}  // namespace inkbench

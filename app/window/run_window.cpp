@@ -1,0 +1,264 @@
+#include "app/window/run_window.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+
+#include "app/panels/main_frame.h"
+#include "app/window/gui.h"
+#include "app/window/state_file.h"
+#include "app/window/workbench.h"
+#include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
+#include "pipeline/export.h"
+
+namespace inkbench {
+namespace {
+
+constexpr double kPollSeconds = 0.5;
+/// Frames after something happened: ImGui needs one more than the event's to settle (hover, popups' sizes).
+constexpr int kSettleFrames = 3;
+constexpr double kNewestShare = 0.1;
+
+std::filesystem::path window_params_path() {
+  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && config[0] == '/')
+    return std::filesystem::path(config) / "inkbench/window.toml";
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home == nullptr ? "." : home) / ".config/inkbench/window.toml";
+}
+
+/// What the window looks like, row 0 on top.
+Picture read_window(WindowSize size) {
+  Picture picture(size.width_px, size.height_px, 3);
+  std::vector<uint8_t> rows(picture.samples.size());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, size.width_px, size.height_px, GL_RGB, GL_UNSIGNED_BYTE, rows.data());
+  const size_t row = static_cast<size_t>(size.width_px) * 3;
+  for (int y = 0; y < size.height_px; ++y) {
+    std::copy_n(&rows[row * (size.height_px - 1 - y)], row, &picture.samples[row * y]);
+  }
+  return picture;
+}
+
+std::string screenshot_name() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::array<char, 64> text{};
+  std::strftime(text.data(), text.size(), "inkbench-%Y%m%d-%H%M%S.png", &local);
+  return text.data();
+}
+
+class Session {
+ public:
+  explicit Session(const WindowOptions& options);
+  void run();
+
+ private:
+  void load_window_state();
+  void save_window_state();
+  void wait();
+  void draw_frame();
+  void build_frame();
+  void take_requests();
+  void take_screenshot();
+  void write_state();
+  void drag_by_itself();
+  bool is_dragging_itself() const { return drag_frame_ < options_.drag_frames; }
+
+  const WindowOptions& options_;
+  WindowParams start_params_;
+  Window window_;
+  InputQueue input_;
+  Gui gui_;
+  Workbench bench_;
+  MainFrame frame_;
+  int frames_wanted_ = kSettleFrames;
+  double next_poll_ = 0.0;
+  int drag_frame_ = 0;
+  std::string written_state_;
+  bool failed_frame_ = false;
+};
+
+/// What was remembered; where that cannot be read, why is told in the window's log.
+WindowParams remembered_params(std::string& problem) {
+  try {
+    return load_window_params(window_params_path());
+  } catch (const Error& error) {
+    problem = error.what();
+    return {};
+  }
+}
+
+WindowSize start_size(const WindowOptions& options, const WindowParams& params) {
+  return options.size.value_or(WindowSize{params.width, params.height});
+}
+
+std::string& params_problem() {
+  static std::string text;
+  return text;
+}
+
+Session::Session(const WindowOptions& options)
+    : options_(options),
+      start_params_(remembered_params(params_problem())),
+      window_("inkbench", start_size(options, start_params_)),
+      input_(window_.handle()),
+      gui_(window_, input_),
+      bench_(options.settings, options.scene_name) {
+  bench_.window = start_params_;
+  if (!params_problem().empty()) bench_.tell(Severity::warning, params_problem());
+  if (!options.state_file.empty()) bench_.ui_map.enable();
+  if (!options.file.empty()) bench_.open(options.file);
+  if (is_dragging_itself()) bench_.window.keys_page = false;
+}
+
+void Session::save_window_state() {
+  if (is_dragging_itself() || options_.drag_frames > 0) return;
+  try {
+    save_window_params(window_params_path(), bench_.window);
+  } catch (const Error& error) {
+    bench_.tell(Severity::warning, error.what());
+  }
+}
+
+/// Sleeps until there is something to do; sets how many frames that takes.
+void Session::wait() {
+  const double now = seconds_now();
+  const double wake = bench_.take_wake_seconds();
+  const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
+  if (busy) {
+    poll_events();
+  } else {
+    wait_for_events(std::min(next_poll_ - now, wake));
+  }
+  if (input_.take_activity()) frames_wanted_ = kSettleFrames;
+  if (std::isfinite(wake) && seconds_now() >= now + wake) frames_wanted_ = std::max(frames_wanted_, 1);
+  if (seconds_now() >= next_poll_) {
+    if (bench_.poll_files()) frames_wanted_ = std::max(frames_wanted_, 2);
+    next_poll_ = seconds_now() + kPollSeconds;
+  }
+}
+
+void Session::build_frame() {
+  for (const std::string& path : input_.take_dropped()) bench_.open(path);
+  bench_.ui_map.begin_frame();
+  bench_.refresh();
+  frame_.draw(bench_);
+}
+
+void Session::draw_frame() {
+  const auto start = std::chrono::steady_clock::now();
+  gui_.set_look(bench_.window.theme, bench_.window.zoom);
+  gui_.begin_frame();
+  try {
+    build_frame();
+    failed_frame_ = false;
+  } catch (const std::exception& error) {
+    // ImGui is left in the middle of a panel: its own tidying up keeps the next frame sound.
+    ImGui::ErrorCheckEndFrameRecover(nullptr);
+    if (!failed_frame_) bench_.set_problem(ProblemKind::drawing, error.what());
+    failed_frame_ = true;
+  }
+  try {
+    const PassScope scope(&bench_.window_timer, "window");
+    gui_.end_frame();
+  } catch (const Error& error) {
+    bench_.set_problem(ProblemKind::drawing, error.what());
+  }
+  take_requests();
+  window_.present();
+  const double ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  FrameTimes& times = bench_.frame_times;
+  times.last_ms = ms;
+  times.mean_ms = times.frames == 0 ? ms : times.mean_ms + kNewestShare * (ms - times.mean_ms);
+  ++times.frames;
+}
+
+void Session::take_requests() {
+  const WindowRequests requests = std::exchange(bench_.requests, {});
+  if (requests.screenshot) take_screenshot();
+  if (requests.toggle_full_screen) window_.toggle_full_screen();
+  if (requests.close) window_.close();
+  const WindowSize size = window_.size();
+  if (window_.is_full_screen() || size.width_px < 1) return;
+  bench_.window.width = std::max(size.width_px, 480);
+  bench_.window.height = std::max(size.height_px, 320);
+}
+
+void Session::take_screenshot() {
+  const std::string name = screenshot_name();
+  try {
+    write_png(name, read_window(window_.size()), {});
+    bench_.tell(Severity::note, "saved " + std::filesystem::absolute(name).string());
+  } catch (const Error& error) {
+    bench_.set_problem(ProblemKind::input, error.what());
+  }
+}
+
+void Session::write_state() {
+  if (options_.state_file.empty()) return;
+  const std::string text = state_text(bench_);
+  if (text == written_state_) return;
+  write_file_atomically(options_.state_file, text);
+  written_state_ = text;
+}
+
+/// A slider pulled to and fro over its whole range, as with the mouse: what a frame of it costs.
+void Session::drag_by_itself() {
+  if (!is_dragging_itself()) return;
+  bench_.begin_edit();
+  Settings settings = bench_.settings();
+  const Field& field = *find_param(settings, options_.drag_key, "--drag").field;
+  const double share = 0.5 + 0.45 * std::sin(0.1 * drag_frame_);
+  const double value = field.slider.low * std::pow(field.slider.high / field.slider.low, share);
+  bench_.change(options_.drag_key, static_cast<float>(value));
+  ++drag_frame_;
+  if (is_dragging_itself()) return;
+  bench_.end_edit();
+  bench_.requests.close = true;
+}
+
+void Session::run() {
+  window_.show();
+  const auto start = std::chrono::steady_clock::now();
+  int frames = 0;
+  while (!window_.wants_to_close()) {
+    wait();
+    const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
+    if (!busy) {
+      write_state();
+      continue;
+    }
+    drag_by_itself();
+    draw_frame();
+    --frames_wanted_;
+    ++frames;
+    const bool waits_for_times = bench_.timer.is_waiting() || bench_.pictures.has_late();
+    if (waits_for_times && frames_wanted_ <= 0 && !bench_.is_editing()) frames_wanted_ = 1;
+  }
+  if (options_.drag_frames > 0) {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fmt::print("{} frames, {:.1f} ms each, {:.1f} a second\n", frames, 1e3 * seconds / frames,
+               frames / seconds);
+  }
+  write_state();
+  save_window_state();
+}
+
+}  // namespace
+
+void run_window(const WindowOptions& options) {
+  Session session(options);
+  session.run();
+}
+
+}  // namespace inkbench

@@ -1,0 +1,87 @@
+#include "app/window/state_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/scene/settings_file.h"
+
+namespace inkbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parameters_of(const Settings& settings) {
+  Settings copy = settings;
+  Json json = Json::object();
+  for (const Param& param : list_params(copy)) json[param.key] = to_text(param.value());
+  return json;
+}
+
+Json view_of(const ViewState& view) {
+  Json json{{"zoom", view.zoom},
+            {"centre", {view.centre_x, view.centre_y}},
+            {"magnification", view.magnification},
+            {"selected", name_of(view.selected)},
+            {"filled", view.filled ? std::string(name_of(*view.filled)) : ""},
+            {"tool", view.tool == MouseTool::camera ? "camera" : "view"}};
+  json["comparison"] = {{"active", view.comparison.active},
+                        {"flips", view.comparison.flips},
+                        {"shows_b", view.comparison.shows_b},
+                        {"split", view.comparison.split},
+                        {"a", {name_of(view.comparison.a.buffer), view.comparison.a.pinned}},
+                        {"b", {name_of(view.comparison.b.buffer), view.comparison.b.pinned}}};
+  return json;
+}
+
+Json passes_of(const Workbench& bench) {
+  Json json = Json::object();
+  for (const auto& [name, count] : bench.pictures.pipeline().counts()) {
+    const PassTime time = bench.timer.time_of(name);
+    json[name] = {{"runs", count.runs}, {"reuses", count.reuses}, {"ran", time.ran}, {"ms", time.last_ms}};
+  }
+  return json;
+}
+
+Json pictures_of(const Workbench& bench) {
+  Json json = Json::object();
+  for (size_t i = 0; i < kBufferCount; ++i) {
+    const auto buffer = static_cast<BufferName>(i);
+    json[std::string(name_of(buffer))] = bench.pictures.shown(buffer, false).key.text();
+  }
+  return json;
+}
+
+Json window_of(const WindowParams& params) {
+  Json json = Json::object();
+  for (const Field& field : WindowParams::description().fields)
+    json[std::string(field.name)] = to_text(field.get(&params));
+  return json;
+}
+
+Json log_of(const MessageLog& log) {
+  Json json = Json::array();
+  for (const Message& message : log.messages()) json.push_back(message.text);
+  return json;
+}
+
+}  // namespace
+
+std::string state_text(const Workbench& bench) {
+  Json json{{"scene", bench.scene_name()},
+            {"frames", bench.frame_times.frames},
+            {"frame_ms", bench.frame_times.mean_ms},
+            {"parameters", parameters_of(bench.settings())},
+            {"view", view_of(bench.view)},
+            {"passes", passes_of(bench)},
+            {"pictures", pictures_of(bench)},
+            {"window", window_of(bench.window)},
+            {"log", log_of(bench.log)}};
+  json["problems"] = Json::array();
+  for (const auto& [kind, text] : bench.problems()) json["problems"].push_back(text);
+  json["ui"] = Json::object();
+  for (const auto& [name, rect] : bench.ui_map.rects())
+    json["ui"][name] = {rect.left, rect.top, rect.right, rect.bottom};
+  // Log lines may quote broken files: what is not UTF-8 is replaced instead of refused.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace inkbench

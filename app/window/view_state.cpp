@@ -1,0 +1,61 @@
+#include "app/window/view_state.h"
+
+#include <algorithm>
+
+namespace inkbench {
+namespace {
+
+constexpr double kLargestPixel = 64.0;  // window pixels a picture pixel
+constexpr double kSmallestZoom = 0.25;
+
+double fit_magnification(const TileFrame& frame) {
+  return std::min(frame.width / frame.picture_width, frame.height / frame.picture_height);
+}
+
+/// Keeps the picture in sight: in the middle where it is smaller than the tile, else without a gap.
+double kept_in_sight(double centre, double shown_share) {
+  if (shown_share >= 1.0) return 0.5;
+  return std::clamp(centre, shown_share / 2.0, 1.0 - shown_share / 2.0);
+}
+
+void keep_in_sight(ViewState& view, const TileFrame& frame) {
+  const double scale = magnification(view, frame);
+  view.centre_x = kept_in_sight(view.centre_x, frame.width / (scale * frame.picture_width));
+  view.centre_y = kept_in_sight(view.centre_y, frame.height / (scale * frame.picture_height));
+}
+
+}  // namespace
+
+double magnification(const ViewState& view, const TileFrame& frame) {
+  return std::max(fit_magnification(frame) * view.zoom, 1e-6);
+}
+
+PicturePoint point_under(const ViewState& view, const TileFrame& frame, double window_x, double window_y) {
+  const double scale = magnification(view, frame);
+  return {view.centre_x * frame.picture_width + (window_x - frame.left - frame.width / 2.0) / scale,
+          view.centre_y * frame.picture_height + (window_y - frame.top - frame.height / 2.0) / scale};
+}
+
+void zoom_about(ViewState& view, const TileFrame& frame, double window_x, double window_y, double factor) {
+  const PicturePoint before = point_under(view, frame, window_x, window_y);
+  const double largest = std::max(1.0, kLargestPixel / std::max(fit_magnification(frame), 1e-6));
+  view.zoom = std::clamp(view.zoom * factor, kSmallestZoom, largest);
+  const PicturePoint after = point_under(view, frame, window_x, window_y);
+  view.centre_x += (before.x - after.x) / frame.picture_width;
+  view.centre_y += (before.y - after.y) / frame.picture_height;
+  keep_in_sight(view, frame);
+}
+
+void pan_by(ViewState& view, const TileFrame& frame, double dx, double dy) {
+  const double scale = magnification(view, frame);
+  view.centre_x -= dx / (scale * frame.picture_width);
+  view.centre_y -= dy / (scale * frame.picture_height);
+  keep_in_sight(view, frame);
+}
+
+void set_magnification(ViewState& view, const TileFrame& frame, double size) {
+  view.zoom = std::max(size / std::max(fit_magnification(frame), 1e-6), kSmallestZoom);
+  keep_in_sight(view, frame);
+}
+
+}  // namespace inkbench

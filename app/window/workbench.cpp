@@ -1,0 +1,193 @@
+#include "app/window/workbench.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "app/window/open_file.h"
+#include "pipeline/base/error.h"
+#include "pipeline/base/log.h"
+#include "pipeline/scene/settings_file.h"
+
+namespace inkbench {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Workbench::Workbench(const Settings& settings, const std::string& scene_name)
+    : settings_(settings), baseline_(settings), scene_name_(scene_name), wake_seconds_(kNever) {
+  set_log_sink([this](const std::string& text) { log.add(Severity::note, text); });
+  pictures.pipeline().observe(&timer);
+  tiles.observe(&window_timer);
+}
+
+Workbench::~Workbench() {
+  set_log_sink({});
+}
+
+template <class Change>
+void Workbench::apply(const Change& change) {
+  Settings next = settings_;
+  try {
+    change(next);
+  } catch (const Error& error) {
+    set_problem(ProblemKind::input, error.what());
+    return;
+  }
+  dismiss(ProblemKind::input);
+  const Settings before = std::exchange(settings_, std::move(next));
+  if (!is_editing() && on_step) on_step(before, settings_);
+}
+
+void Workbench::change(const std::string& key, const Value& value) {
+  apply([&](Settings& next) { find_param(next, key, "").set(value, ""); });
+}
+
+void Workbench::change_text(const std::string& key, const std::string& text) {
+  apply([&](Settings& next) { set_param_text(next, key, text, ""); });
+}
+
+void Workbench::reset(const std::string& key) {
+  Settings from = baseline_;
+  if (has_param(from, key)) change(key, find_param(from, key, "").value());
+}
+
+void Workbench::replace(const Settings& settings) {
+  apply([&](Settings& next) {
+    next = settings;
+    for (const Param& param : list_params(next)) param.set(param.value(), "");  // checks it
+  });
+}
+
+void Workbench::begin_edit() {
+  if (!is_editing()) edit_start_ = settings_;
+}
+
+void Workbench::end_edit() {
+  if (!is_editing()) return;
+  const Settings before = *std::exchange(edit_start_, std::nullopt);
+  if (on_step && settings_text(before) != settings_text(settings_)) on_step(before, settings_);
+}
+
+void Workbench::open(const std::string& path) {
+  apply([&](Settings& next) {
+    const OpenedFile file = open_file(next, path);
+    next = file.settings;
+    if (file.is_whole) {
+      baseline_ = file.settings;
+      scene_name_ = file.name;
+    }
+    tell(Severity::note, "opened " + path);
+  });
+}
+
+Key Workbench::drawn_state() const {
+  return KeyBuilder().add(settings_text(settings_)).add(std::to_string(files_revision_)).key();
+}
+
+void Workbench::refresh() {
+  timer.begin_frame();
+  window_timer.begin_frame();
+  const Key state = drawn_state();
+  if (failed_ == state) return;
+  try {
+    pictures.refresh(settings_, wanted_buffers(), is_editing());
+    last_good_ = settings_;
+    failed_.reset();
+    dismiss(ProblemKind::drawing);
+  } catch (const std::bad_alloc&) {
+    failed_ = state;
+    set_problem(ProblemKind::drawing, "out of memory; choose a smaller image or mesh");
+  } catch (const std::exception& error) {
+    failed_ = state;
+    set_problem(ProblemKind::drawing, error.what());
+  }
+}
+
+/// What the files that the settings name hold, or why they cannot be read.
+std::string Workbench::files_state() {
+  try {
+    const PassKeys keys = pictures.pipeline().keys(settings_);
+    return keys.meshes.text() + keys.ink.text();
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+bool Workbench::poll_files() {
+  bool changed = false;
+  try {
+    changed = pictures.pipeline().reload_changed_shaders();
+    changed |= tiles.reload_if_changed();
+    if (changed) {
+      dismiss(ProblemKind::shader);
+      tell(Severity::note, "shaders reloaded");
+    }
+  } catch (const Error& error) {
+    set_problem(ProblemKind::shader, error.what());
+    changed = true;
+  }
+  // Settings that changed since the last look are not a file's doing; drawing them anew is only a lookup.
+  changed |= files_state_ != std::exchange(files_state_, files_state());
+  if (changed) ++files_revision_;
+  return changed;
+}
+
+bool Workbench::is_listed(BufferName buffer) const {
+  return !has_word(window.hidden_buffers, name_of(buffer));
+}
+
+void Workbench::set_listed(BufferName buffer, bool listed) {
+  window.hidden_buffers = with_word(window.hidden_buffers, name_of(buffer), !listed);
+}
+
+std::array<bool, kBufferCount> Workbench::wanted_buffers() const {
+  std::array<bool, kBufferCount> wanted{};
+  const auto want = [&](BufferName buffer) { wanted[static_cast<size_t>(buffer)] = true; };
+  if (view.comparison.active) {
+    if (!view.comparison.a.pinned) want(view.comparison.a.buffer);
+    if (!view.comparison.b.pinned) want(view.comparison.b.buffer);
+    return wanted;
+  }
+  if (view.filled) {
+    want(*view.filled);
+    return wanted;
+  }
+  for (size_t i = 0; i < kBufferCount; ++i) wanted[i] = is_listed(static_cast<BufferName>(i));
+  return wanted;
+}
+
+void Workbench::pin() {
+  try {
+    pictures.pin(settings_);
+    tell(Severity::note, "pinned this state");
+  } catch (const Error& error) {
+    set_problem(ProblemKind::drawing, error.what());
+  }
+}
+
+void Workbench::tell(Severity severity, const std::string& text) {
+  log.add(severity, text);
+}
+
+void Workbench::set_problem(ProblemKind kind, const std::string& text) {
+  const auto found = problems_.find(kind);
+  if (found == problems_.end() || found->second != text) tell(Severity::error, text);
+  problems_[kind] = text;
+}
+
+void Workbench::go_back() {
+  if (last_good_) replace(*last_good_);
+}
+
+void Workbench::wake_in(double seconds) {
+  wake_seconds_ = std::min(wake_seconds_, seconds);
+}
+
+double Workbench::take_wake_seconds() {
+  return std::exchange(wake_seconds_, kNever);
+}
+
+}  // namespace inkbench
