@@ -6,7 +6,6 @@
 
 #include "pipeline/image/image_file.h"
 #include "pipeline/passes/buffer_names.h"
-#include "pipeline/pipeline.h"
 #include "pipeline/scene/settings.h"
 
 namespace inkbench {
