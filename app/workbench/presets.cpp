@@ -10,7 +10,6 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
-#include "pipeline/params/toml_document.h"
 #include "pipeline/scene/settings_file.h"
 #include "studies/sweep/spec.h"
 
@@ -18,15 +17,6 @@ namespace inkbench {
 namespace {
 
 constexpr size_t kMaxNameBytes = 100;
-
-bool is_utf8(const std::string& text) {
-  try {
-    parse_toml("value = " + to_text(Value(text)), "");
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
 
 /// What is wrong with the name, or "".
 std::string name_fault(const std::string& name) {
