@@ -20,6 +20,9 @@ struct ImageOrigin {
   std::string version;
 };
 
+/// Whether the image carries parameters. Errors (input): not an image.
+bool has_origin(const std::filesystem::path& image);
+
 /// Errors (input): not an image, or one without our metadata.
 ImageOrigin read_origin(const std::filesystem::path& image);
 
