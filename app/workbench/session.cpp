@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/workbench/scene_base.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
@@ -10,8 +11,6 @@
 
 namespace inkbench {
 namespace {
-
-constexpr const char* kPaperScene = "data/scenes/paper.toml";
 
 std::string struct_text(const Description& description, const void* owner) {
   std::string text;
@@ -100,7 +99,7 @@ class SessionReader {
 
 Session first_session() {
   Session session;
-  session.scene = project_file(kPaperScene);
+  session.scene = default_scene();
   session.settings = load_settings(session.scene);
   return session;
 }
