@@ -63,10 +63,13 @@ void print_plan(const StudySpec& spec) {
   std::vector<std::string> sides;
   for (const Axis& axis : spec.axes) sides.push_back(std::to_string(axis.values.size()));
   const ImageParams& image = spec.base.image;
-  const double bytes = 3.0 * image.width * image.height * static_cast<double>(count * spec.show.size());
-  fmt::print("{}: {} cell{}{} of {} x {} px, at most {}\n", spec.title,
+  if (!spec.axes.empty() && !spec.variants.empty()) sides.push_back(std::to_string(spec.variants.size()));
+  const std::string views = spec.views.size() > 1 ? fmt::format(" in {} views", spec.views.size()) : "";
+  const size_t pictures = count * view_count(spec) * spec.show.size();
+  const double bytes = 3.0 * image.width * image.height * static_cast<double>(pictures);
+  fmt::print("{}: {} cell{}{}{} of {} x {} px, at most {}\n", spec.title,
              with_commas(static_cast<long long>(count)), count == 1 ? "" : "s",
-             sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", image.width, image.height,
+             sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", views, image.width, image.height,
              readable_bytes(bytes));
   std::fflush(stdout);
 }

@@ -25,6 +25,9 @@ std::string_view trim(std::string_view text);
 /// Whether the bytes are UTF-8, which is all that TOML and image metadata can hold.
 bool is_utf8(std::string_view text);
 
+/// As one word of a shell's command line: in single quotes where it needs them.
+std::string shell_word(const std::string& text);
+
 /// The candidate with the smallest edit distance to `name`, or "" where none is near enough to be meant.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
