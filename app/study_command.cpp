@@ -79,12 +79,30 @@ void print_cells(const StudySpec& spec) {
   if (count > kShown) fmt::print("  ... and {} more\n", with_commas(static_cast<long long>(count - kShown)));
 }
 
+/// A word of a shell's command line, quoted where it must be.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789@%_+=:,./-";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+/// What runs the study anew, whatever this run was to continue or where it writes.
+std::string command_text(const std::string& spec, const StudyArguments& arguments) {
+  std::string command = "inkbench study " + shell_word(spec);
+  for (const std::string& assignment : arguments.assignments) command += " --set " + shell_word(assignment);
+  return command;
+}
+
 /// Runs one study; returns whether all of it worked.
-bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
+bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder, const std::string& command,
              const StudyArguments& arguments) {
   ProgressLine line;
   StudyOptions options;
   options.folder = folder;
+  options.command = command;
   options.fresh = arguments.fresh;
   options.fail_fast = arguments.fail_fast;
   options.stop = &g_stop;
@@ -92,6 +110,7 @@ bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
   const StudyResult result = run_study(pipeline, spec, options);
   line.finish(result.progress);
   for (const fs::path& grid : result.grids) fmt::print("{}\n", grid.string());
+  if (!result.page.empty()) fmt::print("{}\n", result.page.string());
   std::fflush(stdout);
   for (size_t i = 0; i < std::min<size_t>(result.failures.size(), 10); ++i) {
     fmt::print(stderr, "inkbench: error: {}\n", result.failures[i]);
@@ -132,7 +151,8 @@ void study(const StudyArguments& arguments) {
   const HeadlessContext context;
   Pipeline pipeline;
   for (const StudySpec& spec : specs) {
-    const bool ok = run_one(pipeline, spec, is_folder ? base / spec.path.stem() : base, arguments);
+    const std::string command = command_text(is_folder ? spec.path.string() : arguments.spec, arguments);
+    const bool ok = run_one(pipeline, spec, is_folder ? base / spec.path.stem() : base, command, arguments);
     if (!ok) exit_status() = 1;
     if (!ok && (g_stop || arguments.fail_fast)) return;
   }

@@ -15,6 +15,7 @@
 #include "studies/sweep/manifest.h"
 #include "studies/sweep/study_folder.h"
 #include "studies/sweep/study_grid.h"
+#include "studies/sweep/study_page.h"
 #include "studies/sweep/worker_pool.h"
 
 namespace inkbench {
@@ -58,7 +59,7 @@ class StudyRun {
     std::sort(failures_.begin(), failures_.end());
     for (const auto& [index, text] : failures_) result_.failures.push_back(text);
     pipeline_.forget_results();  // room for the grid, so that it does not set the study's peak
-    if (!result_.stopped) result_.grids = write_study_grid(spec_, folder_);
+    if (!result_.stopped) write_report();
     result_.progress.seconds = seconds();
     write_manifest(folder_.path(), spec_, result_, result_.stopped ? "stopped" : "finished");
     return std::move(result_);
@@ -81,6 +82,15 @@ class StudyRun {
     const std::lock_guard lock(mutex_);
     return fatal_ || (options_.stop != nullptr && *options_.stop) ||
            (options_.fail_fast && result_.progress.failed > 0);
+  }
+
+  void write_report() {
+    const RendererInfo renderer = renderer_info();
+    StudyPageWriter page(spec_, folder_, {options_.command, renderer.renderer, renderer.version});
+    result_.grids = write_study_grid(spec_, folder_, [&](size_t cell, size_t shown, const Picture& picture) {
+      page.add(cell, shown, picture);
+    });
+    result_.page = page.write(result_.grids);
   }
 
   void draw_cells() {

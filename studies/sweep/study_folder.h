@@ -39,6 +39,10 @@ class StudyFolder {
   /// "cells/0001_final.png", relative to the folder.
   std::string cell_file(size_t index, BufferName buffer) const;
 
+  /// The columns of data.csv, and a finished or failed cell's fields; empty for any other.
+  std::vector<std::string> columns() const;
+  std::vector<std::string> fields(size_t index) const;
+
   /// Appends a finished cell to journal and data.csv. Its files are on the disk already. Safe from any
   /// thread.
   void add(size_t index, std::vector<std::string> numbers);
@@ -51,8 +55,8 @@ class StudyFolder {
  private:
   /// Whether the files are those that the cell has now: a study that grew may number them with more digits.
   bool names_its_files(const CellRecord& record) const;
-  std::string row(size_t index, const std::vector<std::string>& numbers, const std::string& error) const;
-  std::string header() const;
+  std::vector<std::string> row(size_t index, const std::vector<std::string>& numbers,
+                               const std::string& error) const;
   std::string data_text() const;
   void remove_stale_files() const;
   void rewrite() const;
@@ -63,7 +67,7 @@ class StudyFolder {
   FolderLock lock_;
   std::vector<Key> keys_;
   std::vector<std::string> varied_;   ///< Keys that cells set, in order of first use.
-  std::vector<std::string> columns_;  ///< Of the numbers.
+  std::vector<std::string> numbers_;  ///< Their columns.
   std::map<size_t, CellRecord> done_;
   std::map<size_t, std::string> failed_;
   mutable std::mutex mutex_;

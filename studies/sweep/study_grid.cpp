@@ -68,20 +68,26 @@ void remove_further_pages(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const StudyFolder& folder) {
+std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const StudyFolder& folder,
+                                                    const PictureSink& on_picture) {
   const GridLayout layout = make_layout(spec);
+  const auto read = [&](size_t index, size_t shown) {
+    Picture picture = read_picture(folder.path() / folder.cell_file(index, spec.show[shown]), 3);
+    on_picture(index, shown, picture);
+    return picture;
+  };
   const auto cell_picture = [&](int column, int row, int page) -> std::optional<Picture> {
     const size_t columns = layout.columns.values.size();
     const size_t index = (static_cast<size_t>(page) * layout.rows.values.size() + row) * columns + column;
     if (buffers_are_columns(spec)) {
       if (!folder.is_done(0)) return std::nullopt;
-      return read_picture(folder.path() / folder.cell_file(0, spec.show[static_cast<size_t>(column)]), 3);
+      return read(0, static_cast<size_t>(column));
     }
     if (!folder.is_done(index)) return std::nullopt;
     Picture picture(layout.cell_width_px, layout.cell_height_px, 3, 255);
     int x = 0;
-    for (const BufferName buffer : spec.show) {
-      paste(picture, read_picture(folder.path() / folder.cell_file(index, buffer), 3), x);
+    for (size_t shown = 0; shown < spec.show.size(); ++shown) {
+      paste(picture, read(index, shown), x);
       x += spec.base.image.width + kGapPx;
     }
     return picture;
