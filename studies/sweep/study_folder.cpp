@@ -59,6 +59,12 @@ bool is_overlay_name(const std::string& name) {
   return name.size() == 20 && name.ends_with(".svg") && name.find_first_not_of("0123456789abcdef") == 16;
 }
 
+/// As a record names it, relative to the study's folder.
+bool is_overlay_file(const std::string& name) {
+  constexpr std::string_view kFolder = "reference/";
+  return name.starts_with(kFolder) && is_overlay_name(name.substr(kFolder.size()));
+}
+
 std::string file_column(const StudySpec& spec, size_t view, BufferName buffer) {
   const std::string prefix = spec.views.empty() ? "FILE_" : "FILE_" + spec.views[view].name + "_";
   return prefix + std::string(name_of(buffer));
@@ -137,8 +143,11 @@ std::string StudyFolder::overlay_file(size_t index, size_t view) const {
 bool StudyFolder::names_its_files(const CellRecord& record) const {
   const std::vector<std::string> pictures = picture_files(record.index);
   if (record.files.size() != pictures.size() + view_count(spec_)) return false;
-  return std::equal(pictures.begin(), pictures.end(), record.files.begin(),
-                    [](const std::string& name, const FileRecord& file) { return file.name == name; });
+  const auto overlays = record.files.begin() + static_cast<std::ptrdiff_t>(pictures.size());
+  return std::equal(pictures.begin(), pictures.end(), record.files.begin(), overlays,
+                    [](const std::string& name, const FileRecord& file) { return file.name == name; }) &&
+         std::all_of(overlays, record.files.end(),
+                     [](const FileRecord& file) { return is_overlay_file(file.name); });
 }
 
 std::vector<std::string> StudyFolder::columns() const {

@@ -60,7 +60,8 @@ class StudyFolder {
   void finish();
 
  private:
-  /// Whether the files are those that the cell has now: a study that grew may number them with more digits.
+  /// Whether the files are named as the cell's are now: a study that grew may number them with more digits,
+  /// and a damaged journal may say anything.
   bool names_its_files(const CellRecord& record) const;
   std::vector<std::string> row(size_t index, const std::vector<std::string>& numbers,
                                const std::string& error) const;
