@@ -56,7 +56,7 @@ TEST_F(Study, report_names_the_command_and_every_picture) {
   ASSERT_TRUE(succeeds(result));
   EXPECT_THAT(result.out, HasSubstr("out/index.html\n"));
   const std::string page = content_of(file("out/index.html"));
-  EXPECT_THAT(page, HasSubstr("inkbench study &#39;it&#39;\\&#39;&#39;s.toml&#39; --set camera.fov=40<"));
+  EXPECT_THAT(page, HasSubstr("it&#39;\\&#39;&#39;s.toml&#39; --set camera.fov=40<"));
   const size_t begin = page.find('{', page.find("id=\"study\""));
   const nlohmann::json data =
       nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
