@@ -116,7 +116,8 @@ const columns = study.columns.map((column, index) => {
   const finite = numbers.filter(Number.isFinite);
   const low = finite.reduce((a, b) => Math.min(a, b), Infinity);
   const high = finite.reduce((a, b) => Math.max(a, b), -Infinity);
-  const show = (i) => (isNumeric && !Number.isNaN(numbers[i]) ? format(numbers[i]) : texts[i]);
+  const isPlain = !isNumeric || column.kind === "cell";
+  const show = (i) => (isPlain || Number.isNaN(numbers[i]) ? texts[i] : format(numbers[i]));
   return {name: column.name, kind: column.kind, texts, numbers, isNumeric, low, high, show};
 });
 

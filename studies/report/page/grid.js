@@ -41,9 +41,10 @@ const lineHeight = (width) => Math.round(width * aspect) + (gridState.number >= 
 
 /** The widest pictures with which the items fill their lines well. */
 function fitLines(count, room, pictures) {
-  const smallest = (room < 600 ? 130 : 180) * pictures;
+  const isNarrow = room < 600;
+  const smallest = (isNarrow ? 130 : 180) * pictures;
   let best = {perLine: 1, empty: Infinity, width: 0};
-  for (let perLine = 1; perLine <= Math.max(1, Math.floor((room + kGap) / (smallest + kGap))); ++perLine) {
+  for (let perLine = isNarrow && count > 1 && pictures === 1 ? 2 : 1; perLine <= Math.max(1, Math.floor((room + kGap) / (smallest + kGap))); ++perLine) {
     const width = Math.min(kWidest, Math.floor((room - (perLine - 1) * kGap) / perLine / pictures));
     const empty = (perLine - (count % perLine)) % perLine + (count < perLine ? perLine : 0);
     const filled = perLine * pictures * width / room;
