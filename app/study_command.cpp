@@ -63,10 +63,13 @@ void print_plan(const StudySpec& spec) {
   std::vector<std::string> sides;
   for (const Axis& axis : spec.axes) sides.push_back(std::to_string(axis.values.size()));
   const ImageParams& image = spec.base.image;
-  const double bytes = 3.0 * image.width * image.height * static_cast<double>(count * spec.show.size());
-  fmt::print("{}: {} cell{}{} of {} x {} px, at most {}\n", spec.title,
+  if (!spec.axes.empty() && !spec.variants.empty()) sides.push_back(std::to_string(spec.variants.size()));
+  const std::string views = spec.views.size() > 1 ? fmt::format(" in {} views", spec.views.size()) : "";
+  const size_t pictures = count * view_count(spec) * spec.show.size();
+  const double bytes = 3.0 * image.width * image.height * static_cast<double>(pictures);
+  fmt::print("{}: {} cell{}{}{} of {} x {} px, at most {}\n", spec.title,
              with_commas(static_cast<long long>(count)), count == 1 ? "" : "s",
-             sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", image.width, image.height,
+             sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", views, image.width, image.height,
              readable_bytes(bytes));
   std::fflush(stdout);
 }
@@ -79,30 +82,12 @@ void print_cells(const StudySpec& spec) {
   if (count > kShown) fmt::print("  ... and {} more\n", with_commas(static_cast<long long>(count - kShown)));
 }
 
-/// A word of a shell's command line, quoted where it must be.
-std::string shell_word(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789@%_+=:,./-";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
-/// What runs the study anew, whatever this run was to continue or where it writes.
-std::string command_text(const std::string& spec, const StudyArguments& arguments) {
-  std::string command = "inkbench study " + shell_word(spec);
-  for (const std::string& assignment : arguments.assignments) command += " --set " + shell_word(assignment);
-  return command;
-}
-
 /// Runs one study; returns whether all of it worked.
-bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder, const std::string& command,
+bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
              const StudyArguments& arguments) {
   ProgressLine line;
   StudyOptions options;
   options.folder = folder;
-  options.command = command;
   options.fresh = arguments.fresh;
   options.fail_fast = arguments.fail_fast;
   options.stop = &g_stop;
@@ -151,8 +136,7 @@ void study(const StudyArguments& arguments) {
   const HeadlessContext context;
   Pipeline pipeline;
   for (const StudySpec& spec : specs) {
-    const std::string command = command_text(is_folder ? spec.path.string() : arguments.spec, arguments);
-    const bool ok = run_one(pipeline, spec, is_folder ? base / spec.path.stem() : base, command, arguments);
+    const bool ok = run_one(pipeline, spec, is_folder ? base / spec.path.stem() : base, arguments);
     if (!ok) exit_status() = 1;
     if (!ok && (g_stop || arguments.fail_fast)) return;
   }

@@ -24,7 +24,6 @@ struct StudyProgress {
 
 struct StudyOptions {
   std::filesystem::path folder;
-  std::string command;                      ///< What a person types to run it, for the report.
   bool fresh = false;                       ///< Forget what an earlier run finished.
   bool fail_fast = false;                   ///< Stop at the first cell that fails.
   const std::atomic<bool>* stop = nullptr;  ///< Set from elsewhere to stop after the current cell.
@@ -43,7 +42,13 @@ struct StudyResult {
 /// Errors (work): the folder cannot be written. A cell's own error is a failure in the result.
 StudyResult run_study(Pipeline& pipeline, const StudySpec& spec, const StudyOptions& options);
 
-/// The order in which cells run: indices of cells, the axis whose change costs most outermost.
-std::vector<size_t> run_order(Pipeline& pipeline, const StudySpec& spec);
+/// One drawing of a study: a cell from one of the spec's views.
+struct CellView {
+  size_t cell = 0, view = 0;
+  bool operator==(const CellView&) const = default;
+};
+
+/// The order in which cells are drawn: the axis (or the views) whose change costs most outermost.
+std::vector<CellView> run_order(Pipeline& pipeline, const StudySpec& spec);
 
 }  // namespace inkbench

@@ -1,11 +1,14 @@
 #include "studies/sweep/study_page.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <thread>
 
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
+#include "studies/reference/drawing.h"
 #include "studies/sweep/number_columns.h"
 
 namespace inkbench {
@@ -21,13 +24,17 @@ std::vector<PageAxis> page_axes(const StudySpec& spec) {
     PageAxis& labels = axes.emplace_back(PageAxis{axis.label, {}});
     for (const Value& value : axis.values) labels.values.push_back(label_text(value));
   }
+  if (!axes.empty() && !spec.variants.empty()) {
+    PageAxis& labels = axes.emplace_back();
+    for (const NamedSet& variant : spec.variants) labels.values.push_back(variant.name);
+  }
   return axes;
 }
 
 /// All but the FILE_ columns, which come last: the page shows the files.
 std::vector<PageColumn> page_columns(const StudySpec& spec, const StudyFolder& folder) {
   std::vector<std::string> names = folder.columns();
-  names.resize(names.size() - spec.show.size());
+  names.resize(names.size() - view_count(spec) * spec.show.size());
   const std::vector<std::string> numbers = number_columns(spec);
   std::vector<PageColumn> columns;
   for (const std::string& name : names) columns.push_back({name, ColumnKind::parameter});
@@ -44,7 +51,9 @@ PageCell page_cell(const StudySpec& spec, const StudyFolder& folder, size_t inde
   cell.row = folder.fields(index);
   if (!cell.row.empty()) cell.row.resize(columns);
   if (folder.is_done(index)) {
-    for (const BufferName buffer : spec.show) cell.pictures.push_back(folder.cell_file(index, buffer));
+    cell.pictures = folder.picture_files(index);
+    for (size_t view = 0; view < view_count(spec); ++view)
+      cell.overlays.push_back(folder.overlay_file(index, view));
   } else if (!cell.row.empty()) {
     cell.error = cell.row.back();
   }
@@ -53,7 +62,7 @@ PageCell page_cell(const StudySpec& spec, const StudyFolder& folder, size_t inde
 
 std::vector<std::string> facts(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin) {
   std::vector<std::string> sides;
-  for (const Axis& axis : spec.axes) sides.push_back(std::to_string(axis.values.size()));
+  for (const PageAxis& axis : page_axes(spec)) sides.push_back(std::to_string(axis.values.size()));
   const size_t count = cell_count(spec);
   const size_t failed = count - folder.done_count();
   const ImageParams& image = spec.base.image;
@@ -71,18 +80,20 @@ StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const Stud
   page.facts = facts(spec, folder, origin);
   page.width_px = spec.base.image.width;
   page.height_px = spec.base.image.height;
-  page.views = {""};
+  if (spec.views.empty()) page.views = {""};
+  for (const NamedSet& view : spec.views) page.views.push_back(view.name);
   for (const BufferName buffer : spec.show) page.buffers.emplace_back(name_of(buffer));
   page.axes = page_axes(spec);
   page.columns = page_columns(spec, folder);
   page.cell_count = cell_count(spec);
   for (size_t i = 0; i < std::min(page.cell_count, kMaxPageCells); ++i)
     page.cells.push_back(page_cell(spec, folder, i, page.columns.size()));
+  for (const LineClass line_class : kLineClasses) {
+    const auto [r, g, b] = colour_of(line_class);
+    page.overlay_classes.emplace_back(name_of(line_class), fmt::format("#{:02x}{:02x}{:02x}", r, g, b));
+  }
   page.command = origin.command;
-  page.versions = {{"inkbench", INKBENCH_VERSION},
-                   {"Renderer", origin.renderer},
-                   {"OpenGL", origin.opengl},
-                   {"Libraries", INKBENCH_LIBRARIES}};
+  page.versions = origin.versions;
   page.spec_name = spec.path.filename().string();
   page.spec_text = spec.text;
   return page;
@@ -97,7 +108,7 @@ size_t worker_count() {
 StudyPageWriter::StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin)
     : folder_(folder.path()),
       page_(make_page(spec, folder, origin)),
-      plan_(plan_thumbnails(page_.cells.size(), spec.show.size(), thumbnail_room(page_))),
+      plan_(plan_thumbnails(page_.cells.size(), view_count(spec) * spec.show.size(), thumbnail_room(page_))),
       workers_(worker_count(), worker_count()) {
   for (PageCell& cell : page_.cells) cell.thumbnails.resize(std::min(cell.pictures.size(), plan_.per_cell));
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "studies/report/page.h"
@@ -20,7 +21,7 @@ namespace inkbench {
 struct StudyOrigin {
   std::string command;
   std::string renderer;
-  std::string opengl;
+  std::vector<std::pair<std::string, std::string>> versions;
 };
 
 class StudyPageWriter {

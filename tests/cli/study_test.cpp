@@ -31,7 +31,8 @@ TEST_F(Study, leaves_report_grid_cells_table_and_manifest) {
                            "cells/0002_final.png", "cells/0003_final.png"}) {
     EXPECT_TRUE(fs::exists(file("out") / name)) << name;
   }
-  EXPECT_EQ(folder_content(file("out")).size(), 8U) << "and the journal";
+  EXPECT_EQ(folder_content(file("out")).size(), 9U)
+      << "and the journal, and the reference lines, which all cells share";
   const Picture grid = read_picture(file("out/grid.png"), 3);
   EXPECT_GT(grid.width_px, 3 * 64);
   EXPECT_GT(grid.height_px, 48);
