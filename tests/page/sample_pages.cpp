@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kWidthPx = 240;
 constexpr int kHeightPx = 160;
+constexpr size_t kRings = 25;
 constexpr const char* kHostile =
     "</script><script>window.broken = 1</script><img src=x onerror='window.broken = 1'> \"quoted\" & <b>bold";
 
@@ -25,7 +27,7 @@ constexpr const char* kHostile =
 Picture ring(size_t cell, size_t picture) {
   const bool is_dark = picture % 2 == 1;
   Picture result(kWidthPx, kHeightPx, 3, is_dark ? 0 : 255);
-  const double radius = 20.0 + static_cast<double>(cell % 25) * 2 + (picture >= 2 ? 5 : 0);
+  const double radius = 20.0 + static_cast<double>(cell % kRings) * 2 + (picture >= 2 ? 5 : 0);
   for (int y = 0; y < kHeightPx; ++y) {
     for (int x = 0; x < kWidthPx; ++x) {
       const double distance = std::hypot(x + 0.5 - kWidthPx / 2.0, y + 0.5 - kHeightPx / 2.0);
@@ -136,7 +138,9 @@ StudyPage large_page() {
     page.cells.push_back(std::move(cell));
   }
   const ThumbnailPlan plan = plan_thumbnails(page.cell_count, 1, thumbnail_room(page));
-  for (size_t i = 0; i < page.cell_count; ++i) page.cells[i].thumbnails = {thumbnail(ring(i, 0), plan)};
+  std::vector<std::string> thumbnails;
+  for (size_t i = 0; i < kRings; ++i) thumbnails.push_back(thumbnail(ring(i, 0), plan));
+  for (size_t i = 0; i < page.cell_count; ++i) page.cells[i].thumbnails = {thumbnails[i % kRings]};
   return page;
 }
 

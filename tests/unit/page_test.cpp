@@ -131,9 +131,9 @@ TEST(Page, overlays_that_cells_share_stand_there_once) {
   page.cells[2].overlays = {"b.svg"};
   const json data = data_of(page_html(page));
   EXPECT_EQ(data.at("overlays"), json({"reference/a%20b%23.svg", "b.svg"}));
-  EXPECT_EQ(data.at("cells").at(0).at("overlays"), json({0}));
-  EXPECT_EQ(data.at("cells").at(1).at("overlays"), json({-1}));
-  EXPECT_EQ(data.at("cells").at(2).at("overlays"), json({1}));
+  EXPECT_EQ(data.at("cells").at(0).at("overlays"), json::array({0}));
+  EXPECT_EQ(data.at("cells").at(1).at("overlays"), json::array({-1}));
+  EXPECT_EQ(data.at("cells").at(2).at("overlays"), json::array({1}));
 }
 
 TEST(Page, failed_cells_are_named_up_to_twenty) {

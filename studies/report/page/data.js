@@ -16,10 +16,11 @@ const byId = (id) => document.getElementById(id);
 function make(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
+    if (value === null || value === false) continue;
     if (typeof value === "function") element.addEventListener(name, value);
-    else if (value !== null && value !== undefined && value !== false) element.setAttribute(name, value === true ? "" : value);
+    else element.setAttribute(name, value === true ? "" : value);
   }
-  element.append(...children.filter((child) => child !== null && child !== undefined));
+  element.append(...children.filter((child) => child !== null));
   return element;
 }
 
@@ -29,6 +30,13 @@ function makeChoice(label, names, chosen, choose) {
     type: "button", class: "button", "aria-pressed": String(index === chosen), click: () => choose(index),
   }, name));
   return make("div", {class: "choice", role: "group", "aria-label": label}, ...buttons);
+}
+
+/** The same as a list to choose from. */
+function makeSelect(label, names, chosen, choose) {
+  const options = names.map((name, index) => make("option", {value: index, selected: index === chosen}, name));
+  const select = make("select", {change: (event) => choose(Number(event.target.value))}, ...options);
+  return make("label", {class: "field"}, make("span", {}, label), select);
 }
 
 /* Cells in the grid. */
@@ -51,6 +59,7 @@ function cellAt(column, row, page) {
 }
 
 const cellTitle = (index) => `Cell ${index + 1}`;
+const nameOf = (index, separator) => (cells[index].name ? `${separator}${cells[index].name}` : "");
 const isDrawn = (cell) => cell.files !== undefined;
 
 /** The file of a cell's picture, or "". */
@@ -73,7 +82,11 @@ function overlayUrl(cell, view) {
 
 /* Numbers. */
 
-const toNumber = (text) => (/^[+-]?inf(inity)?$/i.test(text) ? (text[0] === "-" ? -Infinity : Infinity) : text === "" ? NaN : Number(text));
+/** The number that a field of data.csv holds; NaN where it holds none. */
+function toNumber(text) {
+  if (/^[+-]?inf(inity)?$/i.test(text)) return text[0] === "-" ? -Infinity : Infinity;
+  return text === "" ? NaN : Number(text);
+}
 
 /** At most four significant digits; whole numbers whole, with their thousands apart. */
 function shortNumber(value) {
@@ -103,7 +116,8 @@ const columns = study.columns.map((column, index) => {
   const finite = numbers.filter(Number.isFinite);
   const low = finite.reduce((a, b) => Math.min(a, b), Infinity);
   const high = finite.reduce((a, b) => Math.max(a, b), -Infinity);
-  const show = (i) => (isNumeric && !Number.isNaN(numbers[i]) ? format(numbers[i]) : texts[i]);
+  const isPlain = !isNumeric || column.kind === "cell";
+  const show = (i) => (isPlain || Number.isNaN(numbers[i]) ? texts[i] : format(numbers[i]));
   return {name: column.name, kind: column.kind, texts, numbers, isNumeric, low, high, show};
 });
 
@@ -122,7 +136,11 @@ function setHash(changes, {push = false} = {}) {
   const write = () => {
     const text = hashState.toString();
     const url = text ? `#${text}` : location.href.split("#")[0];
-    history[push ? "pushState" : "replaceState"](null, "", url);
+    try {
+      history[push ? "pushState" : "replaceState"](null, "", url);
+    } catch (error) {
+      // Some browsers forbid it for files; the page works without.
+    }
   };
   if (push) write();
   else hashTimer = setTimeout(write, 150); // browsers refuse too many changes in a short time

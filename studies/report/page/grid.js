@@ -41,9 +41,10 @@ const lineHeight = (width) => Math.round(width * aspect) + (gridState.number >= 
 
 /** The widest pictures with which the items fill their lines well. */
 function fitLines(count, room, pictures) {
-  const smallest = (room < 600 ? 130 : 180) * pictures;
+  const isNarrow = room < 600;
+  const smallest = (isNarrow ? 130 : 180) * pictures;
   let best = {perLine: 1, empty: Infinity, width: 0};
-  for (let perLine = 1; perLine <= Math.max(1, Math.floor((room + kGap) / (smallest + kGap))); ++perLine) {
+  for (let perLine = isNarrow && count > 1 && pictures === 1 ? 2 : 1; perLine <= Math.max(1, Math.floor((room + kGap) / (smallest + kGap))); ++perLine) {
     const width = Math.min(kWidest, Math.floor((room - (perLine - 1) * kGap) / perLine / pictures));
     const empty = (perLine - (count % perLine)) % perLine + (count < perLine ? perLine : 0);
     const filled = perLine * pictures * width / room;
@@ -75,26 +76,37 @@ function makeNumber(index) {
   const value = column.numbers[index];
   const {low, high} = column;
   const share = Number.isFinite(value) && high > low ? (value - low) / (high - low) : 0;
-  return make("span", {class: "number", style: `--share:${share.toFixed(3)}`, title: `${column.name} = ${column.texts[index]}`},
-    column.show(index) || "–");
+  const title = `${column.name} = ${column.texts[index]}, of ${shortNumber(low)} to ${shortNumber(high)}`;
+  return make("span", {class: "number", style: `--share:${share.toFixed(3)}`, title}, column.show(index) || "–");
 }
 
 function cellLabel(index, item) {
   const cell = cells[index];
-  const state = cell.error ? ", failed" : isDrawn(cell) ? "" : ", not drawn";
-  const number = gridState.number >= 0 ? `, ${columns[gridState.number].name} ${columns[gridState.number].show(index)}` : "";
-  return `${cellTitle(index)}${cell.name ? `: ${cell.name}` : ""}${isSingle ? `, ${item.caption}` : ""}${number}${state}`;
+  const parts = [cellTitle(index) + nameOf(index, ": ")];
+  if (isSingle) parts.push(item.caption);
+  if (gridState.number >= 0) parts.push(`${columns[gridState.number].name} ${columns[gridState.number].show(index)}`);
+  if (!isDrawn(cell)) parts.push(cell.error ? "failed" : "not drawn");
+  return parts.join(", ");
 }
 
 function makeCell(item, width, position) {
   const cell = cells[item.cell];
-  const pictures = make("span", {class: isDrawn(cell) ? "pictures" : cell.error ? "pictures failed" : "pictures missing"});
-  if (isDrawn(cell)) pictures.append(...item.slots.map((slot) => makePicture(cell, slot, width)));
-  else pictures.append(make("span", {class: "state"}, cell.error ? "failed" : "not drawn"));
+  const pictures = make("span", {class: "pictures"});
+  if (isDrawn(cell)) {
+    pictures.append(...item.slots.map((slot) => makePicture(cell, slot, width)));
+  } else {
+    pictures.classList.add(cell.error ? "failed" : "missing");
+    pictures.append(cell.error ? "failed" : "not drawn");
+  }
   return make("button", {
-    type: "button", class: "cell", "data-cell": item.cell, "data-position": position,
-    tabindex: position === gridState.focus ? "0" : "-1", "aria-label": cellLabel(item.cell, item), title: cell.error || null,
-    click: (event) => openViewer(item.cell, event.currentTarget, isSingle ? item.slots[0] : -1),
+    type: "button",
+    class: "cell",
+    "data-cell": item.cell,
+    "data-position": position,
+    tabindex: position === gridState.focus ? "0" : "-1",
+    "aria-label": cellLabel(item.cell, item),
+    title: cell.error || null,
+    click: (event) => openViewer(item.cell, event.currentTarget),
   }, pictures, isSingle ? null : makeNumber(item.cell));
 }
 
@@ -121,59 +133,84 @@ function fillLine(line) {
   fill();
 }
 
-function drawTable() {
+/** Sizes of the table in px: as large as fits, at least what can still be told apart. */
+function planTable() {
+  const isNarrow = gridBox.clientWidth < 600;
   const count = shownSlots().length;
-  const values = rowAxis.values;
-  const headWidth = Math.min(gridBox.clientWidth < 600 ? 72 : 128,
-    Math.max(44, 16 + 8 * Math.max(...values.map((value) => value.length), Math.min(10, rowAxis.label.length + 2))));
-  const room = gridBox.clientWidth - headWidth - 2;
+  const longest = Math.max(...rowAxis.values.map((value) => value.length), Math.min(10, rowAxis.label.length + 2));
+  const head = Math.min(isNarrow ? 88 : 128, Math.max(44, 16 + 8 * longest));
+  const room = gridBox.clientWidth - head - 2;
   const fitting = Math.floor((room / columnCount - kGap - 2 * (count - 1)) / count);
-  const width = gridState.width || Math.min(240, Math.max(gridBox.clientWidth < 600 ? 88 : 56, fitting));
-  const columnWidth = width * count + 2 * (count - 1) + kGap;
-  const isWide = headWidth + columnCount * columnWidth > gridBox.clientWidth;
-  gridBox.classList.toggle("scroller", isWide);
-  gridState.perLine = columnCount;
+  const picture = gridState.width || Math.min(240, Math.max(isNarrow ? 88 : 56, fitting));
+  const column = picture * count + 2 * (count - 1) + kGap;
+  return {head, picture, column, whole: head + columnCount * column};
+}
 
-  const heads = columnAxis.values.map((value) => make("th", {scope: "col"}, value));
-  const corner = make("th", {class: "corner", scope: "col"}, make("span", {class: "axis down"}, rowAxis.label), make("span", {class: "axis right"}, columnAxis.label));
-  const body = make("tbody");
-  const table = make("table", {
-    class: "grid-table", "aria-label": `${columnAxis.label} from left to right, ${rowAxis.label} from top to bottom`,
-    style: `--picture:${width}px;--aspect:${aspect};width:${headWidth + columnCount * columnWidth}px`,
-  }, make("colgroup", {}, make("col", {style: `width:${headWidth}px`}), make("col", {span: columnCount, style: `width:${columnWidth}px`})),
-  make("thead", {}, make("tr", {}, corner, ...heads)), body);
-  for (let row = 0; row < rowCount && cellAt(0, row, gridState.page) >= 0; ++row) {
-    const line = make("tr", {style: `height:${lineHeight(width)}px`}, make("th", {scope: "row"}, values[row]));
-    line.fill = () => {
-      for (let column = 0; column < columnCount; ++column) {
-        const index = cellAt(column, row, gridState.page);
-        if (index >= 0) line.append(make("td", {}, makeCell({cell: index, slots: shownSlots()}, width, row * columnCount + column)));
-      }
-    };
-    body.append(line);
-  }
-  gridBox.replaceChildren(table);
-  watchLines([...body.children]);
+function makeTableHead() {
+  const down = make("span", {class: "axis down"}, rowAxis.label);
+  const right = make("span", {class: "axis right"}, columnAxis.label);
+  const values = columnAxis.values.map((value) => make("th", {scope: "col"}, value));
+  return make("thead", {}, make("tr", {}, make("th", {class: "corner", scope: "col"}, down, right), ...values));
+}
+
+function makeTableLine(row, plan) {
+  const style = `height:${lineHeight(plan.picture)}px`;
+  const line = make("tr", {style}, make("th", {scope: "row"}, rowAxis.values[row]));
+  line.fill = () => {
+    for (let column = 0; column < columnCount; ++column) {
+      const index = cellAt(column, row, gridState.page);
+      if (index < 0) return;
+      const cell = makeCell({cell: index, slots: shownSlots()}, plan.picture, row * columnCount + column);
+      line.append(make("td", {}, cell));
+    }
+  };
+  return line;
+}
+
+function drawTable() {
+  const plan = planTable();
+  gridBox.classList.toggle("scroller", plan.whole > gridBox.clientWidth);
+  gridState.perLine = columnCount;
+  const lines = [];
+  for (let row = 0; row < rowCount && cellAt(0, row, gridState.page) >= 0; ++row) lines.push(makeTableLine(row, plan));
+  const widths = make("colgroup", {}, make("col", {style: `width:${plan.head}px`}),
+    make("col", {span: columnCount, style: `width:${plan.column}px`}));
+  const attributes = {
+    class: "grid-table",
+    "aria-label": `${columnAxis.label} from left to right, ${rowAxis.label} from top to bottom`,
+    style: `--picture:${plan.picture}px;--aspect:${aspect};width:${plan.whole}px`,
+  };
+  gridBox.replaceChildren(make("table", attributes, widths, makeTableHead(), make("tbody", {}, ...lines)));
+  watchLines(lines);
+}
+
+/** How many items stand in a line, and the width of their pictures. */
+function planLines(itemCount, pictureCount) {
+  const room = gridBox.clientWidth;
+  if (!gridState.width) return fitLines(itemCount, room, pictureCount);
+  const width = Math.min(gridState.width, Math.floor(room / pictureCount));
+  return {width, perLine: Math.max(1, Math.floor((room + kGap) / (width * pictureCount + kGap)))};
+}
+
+function makeLine(items, first, width) {
+  const line = make("div", {class: "grid-line", style: `min-height:${lineHeight(width) + 28}px`});
+  line.fill = () => line.append(...items.map((item, i) =>
+    make("figure", {}, makeCell(item, width, first + i), make("figcaption", {}, item.caption))));
+  return line;
 }
 
 function drawLines() {
   const items = gridItems().filter((item) => isSingle || placeOf(item.cell).page === gridState.page);
   const count = isSingle ? 1 : shownSlots().length;
-  const room = gridBox.clientWidth;
-  const fit = gridState.width
-    ? {width: Math.min(gridState.width, Math.floor(room / count)), perLine: Math.max(1, Math.floor((room + kGap) / (gridState.width * count + kGap)))}
-    : fitLines(items.length, room, count);
-  gridState.perLine = fit.perLine;
+  const {width, perLine} = planLines(items.length, count);
+  gridState.perLine = perLine;
   gridBox.classList.remove("scroller");
   const lines = [];
-  for (let first = 0; first < items.length; first += fit.perLine) {
-    const line = make("div", {class: "grid-line", style: `min-height:${lineHeight(fit.width) + 28}px`});
-    line.fill = () => line.append(...items.slice(first, first + fit.perLine).map((item, i) => make("figure", {},
-      makeCell(item, fit.width, first + i), make("figcaption", {}, item.caption))));
-    lines.push(line);
+  for (let first = 0; first < items.length; first += perLine) {
+    lines.push(makeLine(items.slice(first, first + perLine), first, width));
   }
-  const box = make("div", {class: "grid-lines", style: `--picture:${fit.width}px;--count:${count};--aspect:${aspect}`}, ...lines);
-  gridBox.replaceChildren(box);
+  const style = `--picture:${width}px;--count:${count};--aspect:${aspect}`;
+  gridBox.replaceChildren(make("div", {class: "grid-lines", style}, ...lines));
   watchLines(lines);
 }
 
@@ -223,9 +260,14 @@ gridBox.addEventListener("keydown", (event) => {
   if (!button || event.ctrlKey || event.metaKey || event.altKey) return;
   const position = Number(button.dataset.position);
   const line = position - (position % gridState.perLine);
+  const {perLine} = gridState;
   const targets = {
-    ArrowLeft: position - 1, ArrowRight: position + 1, ArrowUp: position - gridState.perLine, ArrowDown: position + gridState.perLine,
-    Home: line, End: line + gridState.perLine - 1,
+    ArrowLeft: position - 1,
+    ArrowRight: position + 1,
+    ArrowUp: position - perLine,
+    ArrowDown: position + perLine,
+    Home: line,
+    End: line + perLine - 1,
   };
   if (event.key === "PageDown" || event.key === "PageUp") {
     const page = gridState.page + (event.key === "PageDown" ? 1 : -1);

@@ -18,24 +18,21 @@ function makePicker(label, names, entry) {
     drawGridTools();
     drawGrid();
   };
-  const select = names.length > 4;
-  if (!select) return makeChoice(label, [...names, "all"], chosen, choose);
-  const options = [...names, "all"].map((name, index) => make("option", {value: index, selected: index === chosen}, name));
-  return make("label", {class: "field"}, make("span", {}, label), make("select", {change: (event) => choose(Number(event.target.value))}, ...options));
+  const all = [...names, "all"];
+  return names.length > 4 ? makeSelect(label, all, chosen, choose) : makeChoice(label, all, chosen, choose);
 }
 
+const isShowable = (index) => columns[index].kind === "number" && columns[index].isNumeric;
+
 function makeNumberPicker() {
-  const numeric = columns.map((column, index) => index).filter((index) => columns[index].kind === "number" && columns[index].isNumeric);
+  const numeric = columns.map((column, index) => index).filter(isShowable);
   if (!numeric.length || isSingle) return null;
-  const options = [make("option", {value: -1, selected: gridState.number < 0}, "none"),
-    ...numeric.map((index) => make("option", {value: index, selected: index === gridState.number}, columns[index].name))];
-  return make("label", {class: "field"}, make("span", {}, "Number"), make("select", {
-    change: (event) => {
-      gridState.number = Number(event.target.value);
-      setHash({number: gridState.number < 0 ? "none" : columns[gridState.number].name});
-      drawGrid();
-    },
-  }, ...options));
+  const names = ["none", ...numeric.map((index) => columns[index].name)];
+  return makeSelect("Number", names, numeric.indexOf(gridState.number) + 1, (chosen) => {
+    gridState.number = chosen ? numeric[chosen - 1] : -1;
+    setHash({number: names[chosen]});
+    drawGrid();
+  });
 }
 
 function makeSizeSlider() {
@@ -51,7 +48,8 @@ function makeSizeSlider() {
 }
 
 function drawGridTools() {
-  const tools = [makePicker("View", study.views, "view"), makePicker("Buffer", study.buffers, "buffer"), makeNumberPicker(), makeSizeSlider()];
+  const pickers = [makePicker("View", study.views, "view"), makePicker("Buffer", study.buffers, "buffer")];
+  const tools = [...pickers, makeNumberPicker(), makeSizeSlider()];
   byId("grid-tools").replaceChildren(...tools.filter((tool) => tool !== null));
 }
 
@@ -65,7 +63,7 @@ function chooseAtStart() {
     if (!hashState.has("view") && study.views.length > 2) gridState.view = 0;
   }
   const named = columns.findIndex((column) => column.kind === "number" && column.name === hashState.get("number"));
-  const measured = columns.findIndex((column) => column.kind === "number" && column.isNumeric && !column.name.startsWith("ink"));
+  const measured = columns.findIndex((column, index) => isShowable(index) && !column.name.startsWith("ink"));
   gridState.number = hashState.get("number") === "none" ? -1 : named >= 0 ? named : measured;
   gridState.page = hashNumber("page", 1, pageCount, 1) - 1;
 }
@@ -74,10 +72,8 @@ function startGrid() {
   chooseAtStart();
   drawTabs();
   drawGrid();
-  for (const line of gridBox.querySelectorAll("tbody tr, .grid-line")) {
-    fillLine(line); // the first one, which the slider measures
-    break;
-  }
+  const first = gridBox.querySelector("tbody tr, .grid-line");
+  if (first) fillLine(first); // the slider measures its pictures
   drawGridTools();
   let room = gridBox.clientWidth;
   new ResizeObserver(() => {

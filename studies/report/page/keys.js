@@ -16,30 +16,36 @@ const kKeys = [
   [["Esc"], "closes"],
 ];
 
+const isMany = cells.length > 1;
 const kTools = [
-  {id: "left", text: "←", title: "Cell to the left (←)", run: () => step(-1, 0, 0), shown: cells.length > 1},
-  {id: "right", text: "→", title: "Cell to the right (→)", run: () => step(1, 0, 0), shown: cells.length > 1},
-  {id: "up", text: "↑", title: "Cell above (↑)", run: () => step(0, -1, 0), shown: isTable},
-  {id: "down", text: "↓", title: "Cell below (↓)", run: () => step(0, 1, 0), shown: isTable},
-  {id: "page-up", text: "⇞", title: "Page before (PageUp)", run: () => step(0, 0, -1), shown: pageCount > 1},
-  {id: "page-down", text: "⇟", title: "Page after (PageDown)", run: () => step(0, 0, 1), shown: pageCount > 1},
+  {id: "left", text: "←", title: "Cell to the left (←)", way: [-1, 0, 0], shown: isMany},
+  {id: "right", text: "→", title: "Cell to the right (→)", way: [1, 0, 0], shown: isMany},
+  {id: "up", text: "↑", title: "Cell above (↑)", way: [0, -1, 0], shown: isTable},
+  {id: "down", text: "↓", title: "Cell below (↓)", way: [0, 1, 0], shown: isTable},
+  {id: "page-up", text: "⇞", title: "Page before (PageUp)", way: [0, 0, -1], shown: pageCount > 1},
+  {id: "page-down", text: "⇟", title: "Page after (PageDown)", way: [0, 0, 1], shown: pageCount > 1},
   {id: "zoom-out", text: "−", title: "Smaller (−)", run: () => zoomBy(-1), group: true, shown: true},
-  {id: "zoom-now", text: "", shown: true},
+  {id: "zoom-now", shown: true},
   {id: "zoom-in", text: "+", title: "Larger (+)", run: () => zoomBy(1), shown: true},
-  {id: "zoom-fit", text: "Fit", title: "All of the picture (f)", run: () => { zoomToFit(); placePictures(); keepInHash(); }, shown: true},
+  {id: "zoom-fit", text: "Fit", title: "All of the picture (f)", run: zoomToFit, shown: true},
   {id: "zoom-one", text: "1:1", title: "One pixel to one (f)", run: () => zoomTo(1), shown: true},
-  {id: "pin", text: "Pin as A", key: "a", title: "Keep the shown cell as A (a)", run: pin, group: true, shown: cells.length > 1},
-  {id: "flip", text: "Flip", key: "space", title: "Flip between A and B (Space or x)", run: () => flip(), shown: cells.length > 1},
-  {id: "difference", text: "Difference", key: "d", title: "Difference of A and B (d)", run: toggleDifference, shown: cells.length > 1},
-  {id: "reference", text: "Reference", key: "r", title: "Reference lines over the pictures (r)", run: toggleReference, shown: hasOverlays, group: true},
+  {id: "pin", text: "Pin as A", key: "a", title: "Keep the shown cell as A (a)", run: pin, group: true, shown: isMany},
+  {id: "flip", text: "Flip", key: "space", title: "Flip between A and B (Space, x)", run: () => flip(), shown: isMany},
+  {id: "difference", text: "Difference", key: "d", title: "B against A (d)", run: toggleDifference, shown: isMany},
+  {id: "reference", text: "Reference", key: "r", title: "Reference lines (r)", run: toggleReference, shown: hasOverlays},
   {id: "help", text: "?", title: "Keys (?)", run: () => byId("keys").showModal(), group: true, shown: true},
 ];
 
 function makeTool(tool) {
-  if (!tool.run) return make("output", {id: tool.id});
+  if (!tool.title) return make("output", {id: tool.id});
   return make("button", {
-    type: "button", id: tool.id, class: "button", title: tool.title, "aria-label": tool.title, "data-group": Boolean(tool.group),
-    click: tool.run,
+    type: "button",
+    id: tool.id,
+    class: "button",
+    title: tool.title,
+    "aria-label": tool.title,
+    "data-group": Boolean(tool.group),
+    click: tool.way ? () => step(...tool.way) : tool.run,
     mousedown: (event) => event.preventDefault(), // the focus stays with the pictures, so that Space still flips
   }, tool.text, tool.key ? make("kbd", {"aria-hidden": "true"}, tool.key) : null);
 }
@@ -53,23 +59,32 @@ function drawToolStates() {
   for (const id of ["flip", "difference"]) {
     if (byId(id)) byId(id).disabled = !isPinned;
   }
-  const {column, row, page} = placeOf(view.cell);
-  const ways = {left: [-1, 0, 0], right: [1, 0, 0], up: [0, -1, 0], down: [0, 1, 0], "page-up": [0, 0, -1], "page-down": [0, 0, 1]};
-  for (const [id, [x, y, z]] of Object.entries(ways)) {
-    if (!byId(id)) continue;
-    const next = !isTable && !z ? view.cell + x : cellAt(column + x, row + y, page + z);
-    byId(id).disabled = next < 0 || next >= cells.length;
+  for (const tool of kTools) {
+    if (tool.way && byId(tool.id)) byId(tool.id).disabled = cellAway(...tool.way) < 0;
   }
 }
 
 const kViewerKeys = {
-  ArrowLeft: () => step(-1, 0, 0), ArrowRight: () => step(1, 0, 0), ArrowUp: () => step(0, -1, 0), ArrowDown: () => step(0, 1, 0),
-  PageUp: () => step(0, 0, -1), PageDown: () => step(0, 0, 1),
-  a: pin, x: () => flip(), " ": () => flip(), d: toggleDifference, r: toggleReference, f: () => toggleFit(),
-  "+": () => zoomBy(1), "=": () => zoomBy(1), "-": () => zoomBy(-1), 0: () => setSolo(-1),
+  ArrowLeft: () => step(-1, 0, 0),
+  ArrowRight: () => step(1, 0, 0),
+  ArrowUp: () => step(0, -1, 0),
+  ArrowDown: () => step(0, 1, 0),
+  PageUp: () => step(0, 0, -1),
+  PageDown: () => step(0, 0, 1),
+  a: pin,
+  x: () => flip(),
+  " ": () => flip(),
+  d: toggleDifference,
+  r: toggleReference,
+  f: () => toggleFit(),
+  "+": () => zoomBy(1),
+  "=": () => zoomBy(1),
+  "-": () => zoomBy(-1),
+  0: () => setSolo(-1),
 };
 
-viewer.addEventListener("keydown", (event) => {
+document.addEventListener("keydown", (event) => {
+  if (!viewer.open || byId("keys").open) return;
   if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, select")) return;
   if (event.key === " " && event.target.closest("button, a")) return; // presses it
   const digit = /^[1-9]$/.test(event.key) ? Number(event.key) : 0;

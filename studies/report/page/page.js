@@ -5,7 +5,7 @@ async function copyCommand() {
   const text = byId("command").textContent;
   try {
     await navigator.clipboard.writeText(text);
-  } catch {
+  } catch (error) {
     getSelection().selectAllChildren(byId("command")); // no clipboard here: one key press is left to do
     document.execCommand("copy");
   }
@@ -30,12 +30,18 @@ function followLink(event) {
 }
 
 const kMostPrintedCells = 1000;
-let widthBeforePrint = 0;
 
 function beforePrint() {
   for (const line of [...gridBox.querySelectorAll("tbody tr, .grid-line")].slice(0, kMostPrintedCells)) fillLine(line);
   tableState.all = tableState.order.length <= kMostPrintedCells;
   drawRows(true);
+  document.querySelector(".spec").open = true;
+}
+
+function afterPrint() {
+  tableState.all = false;
+  drawRows(true);
+  document.querySelector(".spec").open = false;
 }
 
 startGrid();
@@ -46,5 +52,5 @@ document.addEventListener("click", followLink);
 addEventListener("popstate", () => { readHash(); applyHash(); });
 addEventListener("hashchange", () => { readHash(); applyHash(); });
 addEventListener("beforeprint", beforePrint);
-addEventListener("afterprint", () => { tableState.all = false; drawRows(true); });
+addEventListener("afterprint", afterPrint);
 if (hashState.has("cell")) applyHash();

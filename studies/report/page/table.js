@@ -71,9 +71,11 @@ function makeHead(index) {
   const column = columns[index];
   const isSorted = tableState.sorted === index;
   const sort = isSorted ? (tableState.descending ? "descending" : "ascending") : "none";
-  const arrow = make("span", {class: "arrow", "aria-hidden": "true"}, isSorted ? (tableState.descending ? "↓" : "↑") : "");
-  return make("th", {scope: "col", "aria-sort": sort, class: column.isNumeric ? "numeric" : null, "data-kind": column.kind},
-    make("button", {type: "button", "data-column": index, click: () => nextSort(index)}, make("span", {}, ...breakable(column.name)), arrow));
+  const arrows = {ascending: "↑", descending: "↓", none: ""};
+  const arrow = make("span", {class: "arrow", "aria-hidden": "true"}, arrows[sort]);
+  const attributes = {type: "button", "data-column": index, click: () => nextSort(index)};
+  const button = make("button", attributes, make("span", {}, ...breakable(column.name)), arrow);
+  return make("th", {scope: "col", "aria-sort": sort, class: column.isNumeric ? "numeric" : null}, button);
 }
 
 function drawTableHead() {
@@ -90,12 +92,11 @@ function makeField(columnIndex, index) {
   const column = columns[columnIndex];
   const text = column.show(index);
   if (column.kind === "cell") {
-    return make("td", {class: "numeric"}, make("a", {href: `#cell=${index + 1}`, "aria-label": cellTitle(index)}, text));
+    const link = make("a", {href: `#cell=${index + 1}`, "aria-label": cellTitle(index)}, text);
+    return make("td", {class: "numeric"}, link);
   }
-  return make("td", {
-    class: column.isNumeric ? "numeric" : null, "data-kind": column.kind,
-    title: column.texts[index] !== text || text.length > 28 ? column.texts[index] : null,
-  }, text);
+  const title = column.texts[index] !== text || text.length > 28 ? column.texts[index] : null;
+  return make("td", {class: column.isNumeric ? "numeric" : null, title}, text);
 }
 
 function makeRow(position) {
@@ -104,7 +105,9 @@ function makeRow(position) {
     ...shownColumns().map((column) => makeField(column, index)));
 }
 
-const makeSpace = (rows) => make("tr", {class: "space", "aria-hidden": "true", style: `height:${rows * kRowHeight}px`}, make("td", {colspan: 99}));
+function makeSpace(rows) {
+  return make("tr", {class: "space", "aria-hidden": "true", style: `height:${rows * kRowHeight}px`}, make("td"));
+}
 
 /** The rows in sight, or all where they are few. */
 function drawRows(force = false) {
@@ -142,7 +145,8 @@ function makeColumnChooser() {
       drawWholeTable();
     },
   }), column.name)));
-  return make("details", {class: "chooser"}, make("summary", {class: "button"}, "Columns"), make("div", {class: "chooser-list"}, ...boxes.filter(Boolean)));
+  const list = make("div", {class: "chooser-list"}, ...boxes.filter(Boolean));
+  return make("details", {class: "chooser"}, make("summary", {class: "button"}, "Columns"), list);
 }
 
 function startTable() {

@@ -26,14 +26,16 @@ const hasOverlays = study.overlays.length > 0;
 /** Resolves when the picture can be drawn at once; without its file, its thumbnail stands in. */
 async function loadPicture(index, slot) {
   const cell = cells[index];
-  const image = make("img", {class: "picture", alt: `${slots[slot].label} of cell ${index + 1}`, draggable: "false", decoding: "sync"});
+  const url = pictureUrl(cell, slot);
+  const alt = `${slots[slot].label} of cell ${index + 1}`;
+  const image = make("img", {class: "picture", alt, draggable: "false", decoding: "sync"});
   try {
-    image.src = pictureUrl(cell, slot);
+    image.src = url;
     await image.decode();
     return image;
-  } catch {
+  } catch (error) {
     const thumb = thumbUrl(cell, slot);
-    if (!thumb) return make("p", {class: "message"}, `${decodeURIComponent(pictureUrl(cell, slot))} is not beside this page.`);
+    if (!thumb) return make("p", {class: "message"}, `${decodeURIComponent(url)} is not beside this page.`);
     image.src = thumb;
     image.dataset.standIn = "";
     await image.decode().catch(() => {});
@@ -45,7 +47,8 @@ async function loadLayer(index, slot) {
   const cell = cells[index];
   const layer = make("div", {class: "layer"});
   if (!isDrawn(cell)) {
-    layer.append(make("p", {class: "message"}, cell.error ? `This cell failed: ${cell.error}` : "This cell was not drawn."));
+    const text = cell.error ? `This cell failed: ${cell.error}` : "This cell was not drawn.";
+    layer.append(make("p", {class: "message"}, text));
     return layer;
   }
   const picture = await loadPicture(index, slot);
@@ -166,12 +169,10 @@ function toggleReference() {
 
 /* Opening and closing. */
 
-function openViewer(index, opener = null, slot = -1) {
+function openViewer(index, opener = null) {
   view.opener = opener;
   view.cell = index;
   view.showsPinned = false;
-  view.solo = slot >= 0 && slots.length > 4 ? slot : -1;
-  zoomToFit();
   view.pushed = !hashState.has("cell");
   showViewer();
   describe({push: view.pushed});
@@ -180,7 +181,9 @@ function openViewer(index, opener = null, slot = -1) {
 function showViewer() {
   if (!viewer.open) viewer.showModal();
   stage.focus();
-  buildPanes().then(preloadNeighbours);
+  const filled = buildPanes();
+  if (Number.isNaN(zoom.scale)) chooseScale();
+  filled.then(preloadNeighbours);
 }
 
 const kViewerEntries = ["cell", "a", "show", "difference", "reference", "zoom", "x", "y", "picture"];
@@ -202,10 +205,9 @@ viewer.addEventListener("close", () => {
 function applyHash() {
   const index = hashNumber("cell", 1, cells.length, 0) - 1;
   if (index < 0) {
-    if (viewer.open) {
-      view.pushed = false;
-      viewer.close();
-    }
+    view.pushed = false;
+    if (viewer.open) viewer.close();
+    else setHash({page: gridState.page ? gridState.page + 1 : null});
     return;
   }
   view.cell = index;

@@ -1,7 +1,7 @@
 // Zoom and pan, the same for every picture in the viewer: a scale and the point of the picture in the middle.
 
 const zoom = {
-  scale: 0, // screen pixels for one of the picture; 0: as large as fits, at most 1
+  scale: NaN, // screen pixels for one of the picture; 0: as large as fits, at most 1; NaN: not chosen yet
   x: 0, // px of the picture in the middle of its window
   y: 0,
 };
@@ -31,15 +31,16 @@ function planPanes() {
     const down = Math.ceil(count / across);
     const paneX = Math.floor((roomX - kPaneGap * (across - 1)) / across);
     // On a narrow screen the stage grows downwards and the viewer scrolls.
-    const paneY = isNarrow() ? Math.ceil(paneX * height / width) : Math.floor((roomY - kPaneGap * (down - 1)) / down) - kPaneHead;
+    const share = Math.floor((roomY - kPaneGap * (down - 1)) / down) - kPaneHead;
+    const paneY = isNarrow() ? Math.ceil(paneX * height / width) : share;
     const fit = Math.min(paneX / width, paneY / height);
     if (isNarrow() && across > (count > 2 ? 2 : 1)) break;
     if (!best || fit > best.fit || isNarrow()) best = {across, paneX, paneY, fit};
   }
-  if (zoom.scale) return best;
-  // Seen whole, the pictures stand close together.
-  const scale = Math.min(best.fit, 1 / pixelRatio());
-  return {...best, paneX: Math.min(best.paneX, Math.ceil(width * scale)), paneY: Math.min(best.paneY, Math.ceil(height * scale))};
+  // Small pictures stand close together.
+  const scale = cssScale(best);
+  const fitted = (room, size) => Math.min(room, Math.ceil(size * scale));
+  return {...best, paneX: fitted(best.paneX, width), paneY: fitted(best.paneY, height)};
 }
 
 /** CSS pixels for one of the picture. */
@@ -49,22 +50,31 @@ function cssScale(plan) {
 
 /** Where the picture starts in a window of that size; centred where it is smaller, else without a gap. */
 function pictureStart(room, size, scale, middle) {
-  const start = size * scale <= room ? (room - size * scale) / 2 : Math.min(0, Math.max(room - size * scale, room / 2 - middle * scale));
+  const slack = room - size * scale;
+  const start = slack >= 0 ? slack / 2 : Math.min(0, Math.max(slack, room / 2 - middle * scale));
   return Math.round(start * pixelRatio()) / pixelRatio();
 }
 
+/** The nearest point that can be in the middle of what is seen. */
+function clampMiddle(middle, seen, size) {
+  return seen >= size ? size / 2 : Math.min(size - seen / 2, Math.max(seen / 2, middle));
+}
+
 function placePictures() {
-  if (!view.panes.length) return;
+  if (!view.panes.length || Number.isNaN(zoom.scale)) return;
   const [width, height] = pictureSize();
   const plan = planPanes();
   const scale = cssScale(plan);
   if (!zoom.scale) [zoom.x, zoom.y] = [width / 2, height / 2];
-  const clamp = (middle, room, size) => (size * scale <= room ? size / 2 : Math.min(size - room / 2 / scale, Math.max(room / 2 / scale, middle)));
-  zoom.x = clamp(zoom.x, plan.paneX, width);
-  zoom.y = clamp(zoom.y, plan.paneY, height);
+  zoom.x = clampMiddle(zoom.x, plan.paneX / scale, width);
+  zoom.y = clampMiddle(zoom.y, plan.paneY / scale, height);
   const values = {
-    "--across": plan.across, "--pane-x": `${plan.paneX}px`, "--pane-y": `${plan.paneY}px`, "--scale": scale,
-    "--left": `${pictureStart(plan.paneX, width, scale, zoom.x)}px`, "--top": `${pictureStart(plan.paneY, height, scale, zoom.y)}px`,
+    "--across": plan.across,
+    "--pane-x": `${plan.paneX}px`,
+    "--pane-y": `${plan.paneY}px`,
+    "--scale": scale,
+    "--left": `${pictureStart(plan.paneX, width, scale, zoom.x)}px`,
+    "--top": `${pictureStart(plan.paneY, height, scale, zoom.y)}px`,
   };
   for (const [name, value] of Object.entries(values)) stage.style.setProperty(name, value);
   const canPan = width * scale > plan.paneX + 1 || height * scale > plan.paneY + 1;
@@ -76,8 +86,18 @@ function placePictures() {
   byId("zoom-one").setAttribute("aria-pressed", String(Math.abs(percent - 100) < 0.01));
 }
 
+/** One to one where at least half of the picture's sides can be seen so, else all of it. */
+function chooseScale() {
+  zoom.scale = 0;
+  const seen = planPanes().fit * pixelRatio();
+  [zoom.x, zoom.y] = pictureSize().map((side) => side / 2);
+  zoom.scale = !isNarrow() && seen >= 0.5 ? 1 : 0;
+}
+
 function zoomToFit() {
   zoom.scale = 0;
+  placePictures();
+  keepInHash();
 }
 
 /** Zooms so that the picture's point under (x, y), CSS px from the window's middle, stays where it is. */
@@ -93,7 +113,9 @@ function zoomTo(scale, x = 0, y = 0) {
 
 function zoomBy(direction, x = 0, y = 0) {
   const now = cssScale(planPanes()) * pixelRatio();
-  const next = direction > 0 ? kScales.find((scale) => scale > now * 1.001) : kScales.findLast((scale) => scale < now * 0.999);
+  const larger = kScales.filter((scale) => scale > now * 1.001);
+  const smaller = kScales.filter((scale) => scale < now * 0.999);
+  const next = direction > 0 ? larger[0] : smaller.at(-1);
   if (next) zoomTo(next, x, y);
 }
 
@@ -104,8 +126,6 @@ function toggleFit(x = 0, y = 0) {
     return;
   }
   zoomToFit();
-  placePictures();
-  keepInHash();
 }
 
 function panBy(x, y) {
@@ -120,12 +140,12 @@ function panBy(x, y) {
 function zoomEntries() {
   return zoom.scale
     ? {zoom: zoom.scale, x: Math.round(zoom.x), y: Math.round(zoom.y)}
-    : {zoom: null, x: null, y: null};
+    : {zoom: "fit", x: null, y: null};
 }
 
 function readZoom() {
   const scale = Number(hashState.get("zoom"));
-  zoom.scale = scale > 0.01 && scale <= 64 ? scale : 0;
+  zoom.scale = hashState.get("zoom") === "fit" ? 0 : scale > 0.01 && scale <= 64 ? scale : NaN;
   zoom.x = Number(hashState.get("x")) || 0;
   zoom.y = Number(hashState.get("y")) || 0;
 }
