@@ -95,6 +95,7 @@ bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
   const StudyResult result = run_study(pipeline, spec, options);
   line.finish(result.progress);
   for (const fs::path& grid : result.grids) fmt::print("{}\n", grid.string());
+  if (!result.page.empty()) fmt::print("{}\n", result.page.string());
   std::fflush(stdout);
   for (size_t i = 0; i < std::min<size_t>(result.failures.size(), 10); ++i) {
     fmt::print(stderr, "inkbench: error: {}\n", result.failures[i]);

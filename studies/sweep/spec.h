@@ -35,7 +35,7 @@ struct StudySpec {
   std::string purpose;  ///< One line for `inkbench study list`.
   Settings base;
   std::vector<BufferName> show;
-  int grid_px = 0;  ///< Longer side of a picture in the grid; 0 as it is.
+  int grid_px = 0;                    ///< Longer side of a picture in the grid; 0 as it is.
   std::vector<std::string> measures;  ///< Of the drawn lines against the reference; columns of data.csv.
   std::vector<Axis> axes;             ///< Columns, rows, pages: at most three, at most two beside variants.
   std::vector<NamedSet> variants;     ///< Laid out where the axes end: columns, rows or pages.
