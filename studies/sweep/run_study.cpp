@@ -59,6 +59,7 @@ class StudyRun {
     for (const auto& [index, text] : failures_) result_.failures.push_back(text);
     pipeline_.forget_results();  // room for the grid, so that it does not set the study's peak
     if (!result_.stopped) result_.grids = write_study_grid(spec_, folder_);
+    if (!result_.stopped) result_.charts = draw_study_charts(spec_, folder_.path(), result_.failures);
     result_.progress.seconds = seconds();
     write_manifest(folder_.path(), spec_, result_, result_.stopped ? "stopped" : "finished");
     return std::move(result_);

@@ -8,6 +8,7 @@
 
 #include "pipeline/passes/buffer_names.h"
 #include "pipeline/scene/settings.h"
+#include "studies/report/chart.h"
 
 namespace inkbench {
 
@@ -37,6 +38,7 @@ struct StudySpec {
   std::vector<std::string> measures;  ///< Of the drawn lines against the reference; columns of data.csv.
   std::vector<Axis> axes;  ///< Columns, rows, pages: at most three; empty where there are variants.
   std::vector<Variant> variants;
+  std::vector<Chart> charts;  ///< Of data.csv.
 };
 
 /// One cell: its place in the grid and what it changes.
