@@ -105,7 +105,8 @@ class StudyRun {
     result_.grids = write_study_grid(spec_, folder_, [&](size_t cell, size_t shown, const Picture& picture) {
       page.add(cell, shown, picture);
     });
-    result_.page = page.write(result_.grids);
+    result_.charts = draw_study_charts(spec_, folder_.path(), result_.failures);
+    result_.page = page.write(result_.grids, result_.charts);
   }
 
   void draw_cells() {

@@ -11,6 +11,7 @@
 
 #include "pipeline/pipeline.h"
 #include "studies/sweep/spec.h"
+#include "studies/sweep/study_charts.h"
 
 namespace inkbench {
 
@@ -34,8 +35,9 @@ struct StudyOptions {
 struct StudyResult {
   StudyProgress progress;
   bool stopped = false;               ///< Not all cells were tried.
-  std::vector<std::string> failures;  ///< "cell NAME: message".
+  std::vector<std::string> failures;  ///< "cell NAME: message", "chart NAME: message".
   std::vector<std::filesystem::path> grids;
+  std::vector<DrawnChart> charts;
   std::filesystem::path page;  ///< The report; empty where the study was stopped.
 };
 

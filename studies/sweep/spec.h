@@ -8,6 +8,7 @@
 
 #include "pipeline/passes/buffer_names.h"
 #include "pipeline/scene/settings.h"
+#include "studies/report/chart.h"
 
 namespace inkbench {
 
@@ -42,6 +43,7 @@ struct StudySpec {
   /// What each cell is drawn and measured from, all together: cameras, as a rule. Empty: once, as it is.
   std::vector<NamedSet> views;
   std::vector<std::string> assignments;  ///< `--set` texts that came on top.
+  std::vector<Chart> charts;             ///< Of data.csv.
 };
 
 /// One cell: its place in the grid and what it changes.

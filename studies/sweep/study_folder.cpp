@@ -14,21 +14,11 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "studies/report/csv.h"
+#include "studies/sweep/data_columns.h"
 #include "studies/sweep/number_columns.h"
 
 namespace inkbench {
 namespace {
-
-std::vector<std::string> varied_keys(const StudySpec& spec) {
-  std::vector<std::string> keys;
-  for (const Axis& axis : spec.axes) keys.push_back(axis.key);
-  for (const NamedSet& variant : spec.variants) {
-    for (const Assignment& assignment : variant.set) {
-      if (std::find(keys.begin(), keys.end(), assignment.key) == keys.end()) keys.push_back(assignment.key);
-    }
-  }
-  return keys;
-}
 
 /// Whether a file in cells/ is named as a study's cell: "0001_final.png".
 bool is_cell_name(const std::string& name) {
@@ -68,12 +58,6 @@ bool is_overlay_file(const std::string& name) {
 std::string file_column(const StudySpec& spec, size_t view, BufferName buffer) {
   const std::string prefix = spec.views.empty() ? "FILE_" : "FILE_" + spec.views[view].name + "_";
   return prefix + std::string(name_of(buffer));
-}
-
-/// A value as a field of data.csv: as TOML, but texts without quotes.
-std::string field_text(const Value& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr ? *text : to_text(value);
 }
 
 }  // namespace

@@ -128,12 +128,18 @@ void StudyPageWriter::make_thumbnail(size_t cell, size_t shown, const Picture& p
   }
 }
 
-fs::path StudyPageWriter::write(const std::vector<fs::path>& grids) {
+fs::path StudyPageWriter::write(const std::vector<fs::path>& grids, const std::vector<DrawnChart>& charts) {
   workers_.wait();
   if (failure_) std::rethrow_exception(failure_);
   page_.links = {{"data.csv", "data.csv"}, {"manifest.json", "manifest.json"}};
   for (const fs::path& grid : grids)
     page_.links.push_back({grid.filename().string(), grid.filename().string()});
+  for (const DrawnChart& chart : charts) {
+    PageChart& shown = page_.charts.emplace_back(PageChart{chart.title, read_file(chart.svg), {}});
+    for (const auto& [text, file] :
+         {std::pair("SVG", chart.svg), {"PNG", chart.png}, {"gnuplot", chart.script}})
+      shown.links.push_back({text, ("charts" / file.filename()).string()});
+  }
   const fs::path path = folder_ / "index.html";
   write_file_atomically(path, page_html(page_));
   return path;

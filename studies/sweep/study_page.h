@@ -12,6 +12,7 @@
 #include "studies/report/page.h"
 #include "studies/report/thumbnail.h"
 #include "studies/sweep/spec.h"
+#include "studies/sweep/study_charts.h"
 #include "studies/sweep/study_folder.h"
 #include "studies/sweep/worker_pool.h"
 
@@ -33,7 +34,8 @@ class StudyPageWriter {
   void add(size_t cell, size_t shown, const Picture& picture);
 
   /// Writes index.html; returns its path. Errors (work): full disk, a thumbnail could not be made.
-  std::filesystem::path write(const std::vector<std::filesystem::path>& grids);
+  std::filesystem::path write(const std::vector<std::filesystem::path>& grids,
+                              const std::vector<DrawnChart>& charts);
 
  private:
   void make_thumbnail(size_t cell, size_t shown, const Picture& picture);

@@ -3,11 +3,17 @@
 const study = JSON.parse(document.getElementById("study").textContent);
 const cells = study.cells;
 
+/** What tells a picture from the others of its cell. */
+function pictureLabel(view, buffer) {
+  if (study.views.length === 1) return buffer;
+  return study.buffers.length === 1 ? view : `${view} · ${buffer}`;
+}
+
 /** The pictures of every cell, all buffers of the first view first. */
 const slots = study.views.flatMap((view, viewIndex) => study.buffers.map((buffer, bufferIndex) => ({
   view: viewIndex,
   buffer: bufferIndex,
-  label: study.views.length > 1 ? `${view} · ${buffer}` : buffer,
+  label: pictureLabel(view, buffer),
 })));
 
 const byId = (id) => document.getElementById(id);
@@ -120,6 +126,19 @@ const columns = study.columns.map((column, index) => {
   const show = (i) => (isPlain || Number.isNaN(numbers[i]) ? texts[i] : format(numbers[i]));
   return {name: column.name, kind: column.kind, texts, numbers, isNumeric, low, high, show};
 });
+
+/** In wide tables: whether a parameter says only what the variant's name says. */
+function isSetByVariant(column) {
+  const names = columns.find((other) => other.kind === "name");
+  if (!names || column.kind !== "parameter" || columns.length <= 12) return false;
+  const values = new Map();
+  return cells.every((cell, i) => {
+    if (!cell.row) return true;
+    if (!values.has(names.texts[i])) values.set(names.texts[i], column.texts[i]);
+    return values.get(names.texts[i]) === column.texts[i];
+  });
+}
+const variantColumns = new Set(columns.filter(isSetByVariant));
 
 /* The address's hash holds what is shown, so that a link can be sent. */
 

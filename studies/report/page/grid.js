@@ -43,8 +43,10 @@ const lineHeight = (width) => Math.round(width * aspect) + (gridState.number >= 
 function fitLines(count, room, pictures) {
   const isNarrow = room < 600;
   const smallest = (isNarrow ? 130 : 180) * pictures;
+  const fewest = isNarrow && count > 1 && pictures === 1 ? 2 : 1;
+  const most = Math.max(1, Math.floor((room + kGap) / (smallest + kGap)));
   let best = {perLine: 1, empty: Infinity, width: 0};
-  for (let perLine = isNarrow && count > 1 && pictures === 1 ? 2 : 1; perLine <= Math.max(1, Math.floor((room + kGap) / (smallest + kGap))); ++perLine) {
+  for (let perLine = fewest; perLine <= most; ++perLine) {
     const width = Math.min(kWidest, Math.floor((room - (perLine - 1) * kGap) / perLine / pictures));
     const empty = (perLine - (count % perLine)) % perLine + (count < perLine ? perLine : 0);
     const filled = perLine * pictures * width / room;

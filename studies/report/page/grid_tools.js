@@ -5,7 +5,7 @@ function drawTabs() {
   box.hidden = pageCount < 2;
   if (pageCount < 2) return;
   const choice = makeChoice(pageAxis.label, pageAxis.values.slice(0, pageCount), gridState.page, showPage);
-  box.replaceChildren(make("span", {class: "label"}, pageAxis.label), choice);
+  box.replaceChildren(...(pageAxis.label ? [make("span", {class: "label"}, pageAxis.label)] : []), choice);
 }
 
 /** Buttons for `names`, "all" last; -1 stands for all. */
@@ -53,17 +53,27 @@ function drawGridTools() {
   byId("grid-tools").replaceChildren(...tools.filter((tool) => tool !== null));
 }
 
-/** One or two pictures, or the pictures of a single cell, are shown all; of more, those of the first buffer. */
+/** Whether a grid can show that many pictures in each cell so that one can tell them apart. */
+function hasRoomFor(count) {
+  return isTable && (gridBox.clientWidth - 128) / columnCount / count >= 110;
+}
+
+/**
+ * One or two pictures, those of a single cell and those that have room are shown all; of more, those of the first
+ * buffer, and of many views the first.
+ */
 function chooseAtStart() {
   const picked = (entry, names) => (hashState.get(entry) === "all" ? -1 : hashNumber(entry, 1, names.length, 0) - 1);
   gridState.view = picked("view", study.views);
   gridState.buffer = picked("buffer", study.buffers);
-  if (!isSingle && slots.length > 2) {
+  if (!isSingle && slots.length > 2 && !hasRoomFor(slots.length)) {
     if (!hashState.has("buffer") && study.buffers.length > 1) gridState.buffer = 0;
-    if (!hashState.has("view") && study.views.length > 2) gridState.view = 0;
+    if (!hashState.has("view") && study.views.length > 2 && !hasRoomFor(study.views.length)) gridState.view = 0;
   }
   const named = columns.findIndex((column) => column.kind === "number" && column.name === hashState.get("number"));
-  const measured = columns.findIndex((column, index) => isShowable(index) && !column.name.startsWith("ink"));
+  const shown = columns.map((column) => column.name).filter((name, index) => isShowable(index));
+  const telling = shown.find((name) => name.startsWith("f1")) || shown.find((name) => !/^(ink|faces|empty)/.test(name));
+  const measured = columns.findIndex((column) => column.name === telling);
   gridState.number = hashState.get("number") === "none" ? -1 : named >= 0 ? named : measured;
   gridState.page = hashNumber("page", 1, pageCount, 1) - 1;
 }

@@ -124,10 +124,10 @@ function makeFieldsHead() {
   return make("thead", {}, make("tr", {}, make("td"), head("A", "a"), head("B", "b"), head("B − A", null)));
 }
 
-function makeFields(title, kind) {
+function makeFields(title, isMeant) {
   const shown = view.pinned < 0 ? [view.cell] : [view.pinned, view.cell];
-  const isUsed = (column) => column.kind === kind && shown.some((index) => column.texts[index] !== "");
-  const rows = columns.filter(isUsed).map(makeFieldRow);
+  const isUsed = (column) => shown.some((index) => column.texts[index] !== "");
+  const rows = columns.filter((column) => isMeant(column) && isUsed(column)).map(makeFieldRow);
   if (!rows.length) return null;
   const table = make("table", {class: "fields"}, makeFieldsHead(), make("tbody", {}, ...rows));
   return make("section", {}, make("h3", {}, title), table);
@@ -155,7 +155,11 @@ function makeError() {
 }
 
 function drawSide() {
-  const fields = [makeFields("Parameters", "parameter"), makeFields("Numbers", "number")];
+  const fields = [
+    makeFields("Parameters", (column) => column.kind === "parameter" && !variantColumns.has(column)),
+    makeFields("Numbers", (column) => column.kind === "number"),
+    makeFields("Set by the variant", (column) => variantColumns.has(column)),
+  ];
   const parts = [makeMap(), makeError(), ...fields, makeLegend()];
   byId("viewer-side").replaceChildren(...parts.filter(Boolean));
   byId("viewer-side").hidden = !byId("viewer-side").childElementCount;

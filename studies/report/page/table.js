@@ -125,7 +125,14 @@ function drawRows(force = false) {
   tableBox.querySelector("tbody").replaceChildren(...rows);
 }
 
+function nameChooser() {
+  const chooser = document.querySelector(".chooser summary");
+  const hidden = tableState.hidden.size;
+  if (chooser) chooser.textContent = hidden ? `Columns (${hidden} hidden)` : "Columns";
+}
+
 function drawWholeTable() {
+  nameChooser();
   const widths = shownColumns().map((index) => columnWidth(columns[index]));
   const total = widths.reduce((a, b) => a + b, 0);
   const table = make("table", {class: "data", "aria-rowcount": tableState.order.length + 1, style: `width:${total}px`},
@@ -151,7 +158,8 @@ function makeColumnChooser() {
 
 function startTable() {
   columns.forEach((column, index) => {
-    if (column.kind === "error" && column.texts.every((text) => text === "")) tableState.hidden.add(index);
+    const isEmpty = column.kind === "error" && column.texts.every((text) => text === "");
+    if (isEmpty || variantColumns.has(column)) tableState.hidden.add(index);
   });
   const name = hashState.get("sort") || "";
   const sorted = columns.findIndex((column) => column.name === name.replace(/^-/, ""));

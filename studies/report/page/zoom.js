@@ -34,8 +34,9 @@ function planPanes() {
     const share = Math.floor((roomY - kPaneGap * (down - 1)) / down) - kPaneHead;
     const paneY = isNarrow() ? Math.ceil(paneX * height / width) : share;
     const fit = Math.min(paneX / width, paneY / height);
+    const gain = best ? Math.min(fit, 1 / pixelRatio()) - Math.min(best.fit, 1 / pixelRatio()) : 1;
     if (isNarrow() && across > (count > 2 ? 2 : 1)) break;
-    if (!best || fit > best.fit || isNarrow()) best = {across, paneX, paneY, fit};
+    if (gain >= 0 || isNarrow()) best = {across, paneX, paneY, fit};
   }
   // Small pictures stand close together.
   const scale = cssScale(best);
