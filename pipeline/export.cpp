@@ -19,6 +19,10 @@ ImageText export_text(const Settings& settings, BufferName buffer) {
           {kSettingsEntry, settings_text(settings)}};
 }
 
+bool has_origin(const std::filesystem::path& image) {
+  return !read_image_text(image, kSettingsEntry).empty();
+}
+
 ImageOrigin read_origin(const std::filesystem::path& image) {
   const std::string settings = read_image_text(image, kSettingsEntry);
   if (settings.empty()) {

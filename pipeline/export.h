@@ -6,7 +6,6 @@
 
 #include "pipeline/image/image_file.h"
 #include "pipeline/passes/buffer_names.h"
-#include "pipeline/pipeline.h"
 #include "pipeline/scene/settings.h"
 
 namespace inkbench {
@@ -20,6 +19,9 @@ struct ImageOrigin {
   BufferName buffer = BufferName::final;
   std::string version;
 };
+
+/// Whether the image carries parameters. Errors (input): not an image.
+bool has_origin(const std::filesystem::path& image);
 
 /// Errors (input): not an image, or one without our metadata.
 ImageOrigin read_origin(const std::filesystem::path& image);

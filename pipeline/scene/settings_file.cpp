@@ -137,7 +137,11 @@ Settings load_settings(const fs::path& path) {
 }
 
 Settings parse_settings(std::string_view text, const std::string& name, const fs::path& folder) {
-  return read_settings(parse_toml(text, name), {name, folder, {}});
+  return parse_settings(parse_toml(text, name), name, folder);
+}
+
+Settings parse_settings(const TomlNode& document, const std::string& name, const fs::path& folder) {
+  return read_settings(document, {name, folder, {}});
 }
 
 void apply_table(Settings& settings, const TomlNode& table, const std::string& name, const fs::path& folder) {

@@ -20,6 +20,10 @@ Settings load_settings(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors, relative paths are taken from `folder`.
 Settings parse_settings(std::string_view text, const std::string& name, const std::filesystem::path& folder);
 
+/// The same from a document that was read already.
+Settings parse_settings(const TomlNode& document, const std::string& name,
+                        const std::filesystem::path& folder);
+
 /// Applies a table of parameters ("dotted keys or tables") to the settings. Errors (input) as
 /// `load_settings`.
 void apply_table(Settings& settings, const TomlNode& table, const std::string& name,

@@ -5,29 +5,10 @@
 
 #include "pipeline/base/text.h"
 #include "studies/measures/measures.h"
+#include "studies/reference/measured_lines.h"
 
 namespace inkbench {
 namespace {
-
-LineMap drawn_lines(const Image& combined_edges) {
-  LineMap map(combined_edges.width_px, combined_edges.height_px);
-  for (int y = 0; y < map.height_px(); ++y) {
-    for (int x = 0; x < map.width_px(); ++x) {
-      if (combined_edges.at(x, y) > 0.0F) map.set(x, y);
-    }
-  }
-  return map;
-}
-
-/// Tier 1 without `object` lines, which are staircases along pixels: no measure of how straight ink is.
-std::vector<Polyline> lines_to_follow(const ReferenceLines& lines) {
-  std::vector<Polyline> result;
-  std::copy_if(lines.polylines.begin(), lines.polylines.end(), std::back_inserter(result),
-               [](const Polyline& line) {
-                 return tier(line.line_class) == 1 && line.line_class != LineClass::object;
-               });
-  return result;
-}
 
 std::string recall_text(const LineMap& drawn, const LineMap& lines) {
   const RecallCounts counts = tally_recall(drawn, lines, kTolerancePx);
@@ -37,18 +18,8 @@ std::string recall_text(const LineMap& drawn, const LineMap& lines) {
 
 using Texts = std::map<std::string, std::string, std::less<>>;
 
-LineView line_view(const LineMap& drawn, const ReferenceLines& lines) {
-  LineMap outline = class_map(lines, LineClass::silhouette);
-  for (const LineClass line_class : {LineClass::boundary, LineClass::object}) {
-    outline = united(outline, class_map(lines, line_class));
-  }
-  return {drawn, tier_map(lines, 1), tier_map(lines, 2), outline};
-}
-
 Texts measure_texts(const LineView& view, const ReferenceLines& lines) {
-  const std::vector<Polyline> followed = lines_to_follow(lines);
-  const Measures measures = measures_of(tally_lines(
-      {.prediction = view.drawn, .reference = view.wanted, .allowed = &view.allowed, .polylines = followed}));
+  const Measures measures = measure_view(view, lines);
   Texts texts{{"empty", measures.empty ? "true" : "false"}, {"f1_detector", shortest(measures.f1)}};
   for (const MeasureInfo& info : measure_list()) texts.emplace(info.key, measure_text(info, measures));
   for (const LineClass line_class : kLineClasses) {

@@ -128,5 +128,15 @@ TEST(Suggest, lists_few_candidates_and_says_nothing_of_many) {
   EXPECT_EQ(suggest("zzzzzz", {}), "");
 }
 
+TEST(Text, tells_utf8_from_other_bytes) {
+  for (const char* text :
+       {"", "plain", "\xc3\xa4", "\xe2\x82\xac", "\xf0\x9f\x90\x87", "\xef\xbf\xbf", "\xf4\x8f\xbf\xbf"})
+    EXPECT_TRUE(is_utf8(text)) << text;
+  EXPECT_TRUE(is_utf8(std::string_view("a\0b", 3)));
+  for (const char* text : {"\x80", "\xc3", "\xc3(", "\xe2\x82", "\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80",
+                           "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80", "\xff", "ok\xe4"})
+    EXPECT_FALSE(is_utf8(text)) << text;
+}
+
 }  // namespace
 }  // namespace inkbench

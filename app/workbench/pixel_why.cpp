@@ -1,0 +1,197 @@
+#include "app/workbench/pixel_why.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "pipeline/base/text.h"
+
+namespace inkbench {
+namespace {
+
+/// The 3 x 3 region (3.4.4), nearest first; the weights are those of the gradient (3.4.3).
+struct Neighbour {
+  Offset offset;
+  float weight;
+};
+constexpr std::array<Neighbour, 9> kRegion{{{{0, 0}, 0},
+                                            {{0, -1}, 2},
+                                            {{-1, 0}, 2},
+                                            {{1, 0}, 2},
+                                            {{0, 1}, 2},
+                                            {{-1, -1}, 1},
+                                            {{1, -1}, 1},
+                                            {{-1, 1}, 1},
+                                            {{1, 1}, 1}}};
+
+bool is_inside(const Image& image, int x, int y) {
+  return x >= 0 && x < image.width_px && y >= 0 && y < image.height_px;
+}
+
+/// shaders/range.frag and one term of shaders/combine.frag. Neighbours outside the image, which the shader
+/// clamps to pixels that it has seen already, change nothing.
+TermWhy term(const Image& edges, float k, bool used, int x, int y) {
+  TermWhy why{.used = used, .k = k, .gmax = edges.at(x, y), .gmin = edges.at(x, y)};
+  for (const auto& [offset, weight] : kRegion) {
+    if (!is_inside(edges, x + offset.dx, y + offset.dy)) continue;
+    const float g = edges.at(x + offset.dx, y + offset.dy);
+    if (g > why.gmax) {
+      why.gmax = g;
+      why.max_at = offset;
+    }
+    if (g < why.gmin) {
+      why.gmin = g;
+      why.min_at = offset;
+    }
+  }
+  why.ratio = (why.gmax - why.gmin) / k;
+  why.p = used ? std::min(why.ratio * why.ratio, 1.0F) : 0.0F;
+  return why;
+}
+
+float mean_difference(const Image& map, int x, int y, int other_x, int other_y) {
+  float sum = 0;
+  for (int c = 0; c < map.channels; ++c) sum += std::abs(map.at(other_x, other_y, c) - map.at(x, y, c));
+  return sum / static_cast<float>(map.channels);
+}
+
+glm::vec3 normal_at(const Image& map, int x, int y) {
+  return 2.0F * glm::vec3(map.at(x, y, 0), map.at(x, y, 1), map.at(x, y, 2)) - 1.0F;
+}
+
+float angle_between(const glm::vec3& a, const glm::vec3& b) {
+  const float lengths = glm::length(a) * glm::length(b);
+  if (lengths <= 0.0F) return 0.0F;  // where no model is
+  return glm::degrees(std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0F, 1.0F)));
+}
+
+/// Values of all given maps on both sides of the step.
+void describe_sides(const EdgeBuffers& buffers, int x, int y, GradientStep& step) {
+  const int other_x = x + step.to.dx;
+  const int other_y = y + step.to.dy;
+  if (buffers.depth != nullptr) {
+    step.from_depth = buffers.depth->at(x, y);
+    step.to_depth = buffers.depth->at(other_x, other_y);
+  }
+  if (buffers.normal != nullptr) {
+    step.angle_deg =
+        angle_between(normal_at(*buffers.normal, x, y), normal_at(*buffers.normal, other_x, other_y));
+  }
+  if (buffers.object_id != nullptr) {
+    step.from_object = static_cast<int>(buffers.object_id->at(x, y));
+    step.to_object = static_cast<int>(buffers.object_id->at(other_x, other_y));
+  }
+}
+
+std::optional<GradientStep> largest_step(const EdgeBuffers& buffers, const Image* map, int x, int y) {
+  if (map == nullptr) return std::nullopt;
+  float total = 0;
+  float largest = 0;
+  GradientStep step;
+  for (const auto& [offset, weight] : kRegion) {
+    if (!is_inside(*map, x + offset.dx, y + offset.dy)) continue;
+    const float part = weight * mean_difference(*map, x, y, x + offset.dx, y + offset.dy);
+    total += part;
+    if (part <= largest) continue;
+    largest = part;
+    step.to = offset;
+  }
+  if (!(largest > 0)) return std::nullopt;
+  step.share = largest / total;
+  describe_sides(buffers, x, y, step);
+  return step;
+}
+
+float stored(float edge, Precision precision) {
+  return precision == Precision::float32 ? edge : std::round(edge * 255.0F) / 255.0F;
+}
+
+std::string number(float value) {
+  return fmt::format("{:.4g}", value);
+}
+
+std::string places_text(const TermWhy& why) {
+  if (why.gmax == why.gmin) return "the gradient is the same all around";
+  return "the largest gradient is " + offset_text(why.max_at) + ", the smallest " + offset_text(why.min_at);
+}
+
+std::string object_name(int object, std::span<const std::string> names) {
+  if (object == 0) return "the background";
+  const auto index = static_cast<size_t>(object) - 1;
+  return index < names.size() ? names[index] : fmt::format("object {}", object);
+}
+
+std::string step_text(const GradientStep& step, bool is_depth, std::span<const std::string> names) {
+  std::string text =
+      is_depth ? fmt::format("a step in depth from {} to {}", number(step.from_depth), number(step.to_depth))
+               : fmt::format("normals {:.3g} degrees apart", step.angle_deg);
+  if (step.from_object != step.to_object) {
+    text += fmt::format(" between {} and {}", object_name(step.from_object, names),
+                        object_name(step.to_object, names));
+  }
+  return fmt::format("; {:.0f} % of it is {}", 100 * step.share, text);
+}
+
+std::string term_text(const char* name, const TermWhy& why, std::span<const std::string> names) {
+  if (!why.used) return fmt::format("The {} term is switched off.", name);
+  const bool is_depth = std::string_view(name) == "depth";
+  std::string text =
+      fmt::format("{}: (gmax {} - gmin {}) / k {} = {}, {} -> p = {}; {}", is_depth ? "Depth" : "Normal",
+                  number(why.gmax), number(why.gmin), shortest(why.k), number(why.ratio),
+                  why.ratio >= 1 ? "at least 1" : "squared", number(why.p), places_text(why));
+  if (why.step && why.gmax > why.gmin) text += step_text(*why.step, is_depth, names);
+  return text + ".";
+}
+
+std::string verdict_text(const PixelWhy& why) {
+  const bool is_close = number(why.sum) == number(why.threshold);  // four digits would not tell them apart
+  const std::string sum =
+      fmt::format("the sum of the terms, {},", is_close ? shortest(why.sum) : number(why.sum));
+  if (why.inked)
+    return fmt::format("A line, because {} reaches the threshold {}.", sum, shortest(why.threshold));
+  if (why.sum < why.threshold)
+    return fmt::format("No line, because {} is below the threshold {}.", sum, shortest(why.threshold));
+  if (why.sum > 0) return fmt::format("No line: {} rounds to 0 in eight bits.", sum);
+  return "No line, because both terms are 0.";
+}
+
+}  // namespace
+
+PixelWhy why_pixel(const EdgeBuffers& buffers, const CombineParams& params, int x, int y,
+                   Precision precision) {
+  assert(is_inside(buffers.depth_edges, x, y));
+  PixelWhy why{.x = x, .y = y, .threshold = params.threshold};
+  why.depth = term(buffers.depth_edges, params.k_depth, params.use_depth, x, y);
+  why.normal = term(buffers.normal_edges, params.k_normal, params.use_normal, x, y);
+  const auto step_of = [&](const TermWhy& part, const Image* map) {
+    return largest_step(buffers, map, x + part.max_at.dx, y + part.max_at.dy);
+  };
+  why.depth.step = step_of(why.depth, buffers.depth);
+  why.normal.step = step_of(why.normal, buffers.normal);
+  why.sum = why.depth.p + why.normal.p;
+  why.edge = why.sum < params.threshold ? 0.0F : stored(std::min(why.sum, 1.0F), precision);
+  why.inked = why.edge != 0.0F;
+  return why;
+}
+
+std::string why_text(const PixelWhy& why, std::span<const std::string> object_names) {
+  const std::string depth = term_text("depth", why.depth, object_names);
+  const std::string normal = term_text("normal", why.normal, object_names);
+  const bool depth_first = why.depth.p > why.normal.p;
+  return verdict_text(why) + " " + (depth_first ? depth : normal) + " " + (depth_first ? normal : depth);
+}
+
+std::string offset_text(const Offset& offset) {
+  if (offset == Offset{}) return "here";
+  const std::string vertical = offset.dy < 0 ? "above" : offset.dy > 0 ? "below" : "";
+  const std::string horizontal = offset.dx < 0 ? "left" : offset.dx > 0 ? "right" : "";
+  const bool both = !vertical.empty() && !horizontal.empty();
+  return vertical + (both ? " " : "") + horizontal;
+}
+
+}  // namespace inkbench

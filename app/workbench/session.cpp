@@ -1,0 +1,147 @@
+#include "app/workbench/session.h"
+
+#include <algorithm>
+
+#include "app/workbench/scene_base.h"
+#include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
+#include "pipeline/base/text.h"
+#include "pipeline/params/toml_value.h"
+#include "pipeline/scene/settings_file.h"
+
+namespace inkbench {
+namespace {
+
+std::string struct_text(const Description& description, const void* owner) {
+  std::string text;
+  for (const Field& field : description.fields)
+    text += std::string(field.name) + " = " + to_text(field.get(owner)) + "\n";
+  return text;
+}
+
+/// A path that TOML cannot hold is left out: it would make the file unreadable.
+std::string path_text(const fs::path& path) {
+  return to_text(Value(is_utf8(path.string()) ? path.string() : std::string()));
+}
+
+/// Reads the [session] table of one document.
+class SessionReader {
+ public:
+  explicit SessionReader(std::string name) : name_(std::move(name)) {}
+
+  void read(const TomlNode& table, Session& session) const {
+    for (const auto& [key, node] : entries_of(table, "session")) {
+      if (key == "scene") {
+        session.scene = text_of(node, key);
+      } else if (key == "recent") {
+        for (const TomlNode& item : items_of(node, key)) session.recent.emplace_back(text_of(item, key));
+      } else if (key == "layout") {
+        read_struct(WindowLayout::description(), &session.layout, node, "session.layout");
+      } else if (key == "bookmark") {
+        for (const TomlNode& item : items_of(node, key)) session.bookmarks.push_back(bookmark(item));
+      } else {
+        throw input_error(at(node), "unknown entry 'session." + key + "'",
+                          suggest(key, std::vector<std::string>{"scene", "recent", "layout", "bookmark"}));
+      }
+    }
+  }
+
+ private:
+  std::string at(const TomlNode& node) const { return name_ + ":" + std::to_string(node.line); }
+
+  const std::vector<TomlEntry>& entries_of(const TomlNode& node, const std::string& key) const {
+    if (!node.is_table()) throw input_error(at(node), key + " is " + node.kind_name(), "it must be a table");
+    return node.entries;
+  }
+
+  const std::vector<TomlNode>& items_of(const TomlNode& node, const std::string& key) const {
+    if (!node.is_array()) throw input_error(at(node), key + " is " + node.kind_name(), "it must be a list");
+    return node.items;
+  }
+
+  std::string text_of(const TomlNode& node, const std::string& key) const {
+    if (!node.is_text()) throw input_error(at(node), key + " is " + node.kind_name(), "it must be text");
+    return node.text;
+  }
+
+  void read_struct(const Description& description, void* owner, const TomlNode& table,
+                   const std::string& key) const {
+    for (const auto& [name, node] : entries_of(table, key)) set_field(description, owner, name, node, key);
+  }
+
+  void set_field(const Description& description, void* owner, const std::string& name, const TomlNode& node,
+                 const std::string& key) const {
+    for (const Field& field : description.fields) {
+      if (field.name != name) continue;
+      const Param param{key + "." + name, &field, owner};
+      param.set(value_from_toml(param, node, at(node), "/"), at(node));
+      return;
+    }
+    throw input_error(at(node), "unknown entry '" + key + "." + name + "'");
+  }
+
+  CameraBookmark bookmark(const TomlNode& table) const {
+    CameraBookmark result;
+    for (const auto& [name, node] : entries_of(table, "session.bookmark")) {
+      if (name == "name") {
+        result.name = text_of(node, name);
+      } else {
+        set_field(CameraParams::description(), &result.camera, name, node, "session.bookmark");
+      }
+    }
+    return result;
+  }
+
+  std::string name_;
+};
+
+}  // namespace
+
+Session first_session() {
+  Session session;
+  session.scene = default_scene();
+  session.settings = load_settings(session.scene);
+  return session;
+}
+
+void add_recent(Session& session, const fs::path& file) {
+  const fs::path path = fs::absolute(file).lexically_normal();
+  std::erase(session.recent, path);
+  session.recent.insert(session.recent.begin(), path);
+  if (session.recent.size() > kMaxRecent) session.recent.resize(kMaxRecent);
+}
+
+void drop_missing_recent(Session& session) {
+  std::erase_if(session.recent, [](const fs::path& path) {
+    std::error_code error;
+    return !fs::is_regular_file(path, error);
+  });
+}
+
+std::string session_text(const Session& session) {
+  std::vector<std::string> recent;
+  for (const fs::path& path : session.recent) {
+    if (is_utf8(path.string())) recent.push_back(path_text(path));
+  }
+  std::string text = "# inkbench session\n[session]\nscene = " + path_text(session.scene) + "\nrecent = [" +
+                     join(recent, ", ") + "]\n[session.layout]\n" +
+                     struct_text(WindowLayout::description(), &session.layout);
+  for (const CameraBookmark& bookmark : session.bookmarks) {
+    text += "[[session.bookmark]]\nname = " + to_text(Value(bookmark.name)) + "\n" +
+            struct_text(CameraParams::description(), &bookmark.camera);
+  }
+  return text + settings_text(session.settings);
+}
+
+Session parse_session(std::string_view text, const std::string& name) {
+  TomlNode document = parse_toml(text, name);
+  Session session;
+  if (const TomlNode* table = document.find("session")) SessionReader(name).read(*table, session);
+  std::erase_if(document.entries, [](const TomlEntry& entry) { return entry.key == "session"; });
+  session.settings = parse_settings(document, name, "/");
+  session.recent.resize(std::min(session.recent.size(), kMaxRecent));
+  session.bookmarks.resize(std::min(session.bookmarks.size(), kMaxBookmarks));
+  return session;
+}
+
+}  // namespace inkbench

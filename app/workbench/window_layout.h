@@ -1,0 +1,33 @@
+// How the workbench window is laid out: sizes, dividers, open panels, theme. Described like a parameter
+// group, so that the session file, its checks and menus are visitors over it.
+#pragma once
+
+#include "pipeline/params/description.h"
+
+namespace inkbench {
+
+enum class Theme { dark, light };
+template <>
+struct ChoiceNames<Theme> {
+  static constexpr std::array<std::string_view, 2> names{"dark", "light"};
+};
+
+struct WindowLayout {
+  int width_px = 1280;
+  int height_px = 800;
+  bool maximised = false;
+  float left = 0.24F;
+  float right = 0.22F;
+  float bottom = 0.18F;
+  bool show_parameters = true;
+  bool show_inspector = true;
+  bool show_timings = true;
+  bool show_log = true;
+  bool show_welcome = true;
+  Theme theme = Theme::dark;
+  float ui_scale = 0.0F;
+
+  static const Description& description();
+};
+
+}  // namespace inkbench
