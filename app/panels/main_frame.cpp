@@ -99,7 +99,7 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
   if (right > 0) places.right_divider = {{x2, top}, {x2 + gap, middle_foot}};
   if (right > 0) places.right = {{x2 + gap, top}, {screen.x, middle_foot}};
   if (bottom > 0) {
-    const float split = std::round(x1 + (screen.x - x1) * 0.5F);
+    const float split = std::round(x1 + (screen.x - x1) * 0.56F);
     places.bottom_divider = {{x1, middle_foot}, {screen.x, middle_foot + gap}};
     places.timings = {{x1, middle_foot + gap}, {split, foot}};
     places.log = {{split + 1, middle_foot + gap}, {screen.x, foot}};
