@@ -3,21 +3,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
+
+#include "app/workbench/duration_text.h"
 
 namespace inkbench {
 namespace {
 
 constexpr double kQuietSeconds = 10.0;
 constexpr double kTerminalSeconds = 0.1;
-
-std::string duration_text(double seconds) {
-  const long whole = std::lround(std::ceil(seconds));
-  if (whole < 100) return fmt::format("{} s", whole);
-  if (whole < 6000) return fmt::format("{} min {} s", whole / 60, whole % 60);
-  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
-}
 
 void print_json(const StudyProgress& progress) {
   fmt::print("{}\n", progress_json(progress));

@@ -1,5 +1,9 @@
 #include "app/panels/widgets.h"
 
+#include <fmt/format.h>
+
+#include <cstdlib>
+
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 
@@ -64,6 +68,13 @@ bool toggle_button(const char* label, bool on, std::string_view help) {
   if (on) ImGui::PopStyleColor(4);
   if (!help.empty()) help_for_item(help);
   return pressed;
+}
+
+std::string short_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_number = !text.empty() && end == text.c_str() + text.size();
+  return is_number && text.size() > 6 ? fmt::format("{:.4g}", value) : text;
 }
 
 void panel_heading(std::string_view text) {

@@ -90,8 +90,7 @@ void Studies::sweep(const Settings& settings, const std::string& key) {
 void Studies::add_axis(const Settings& settings, const std::string& key) {
   if (!form_ || form_->own_text) return sweep(settings, key);
   std::vector<SweepAxis>& axes = form_->request.axes;
-  if (axes.size() >= 3)
-    throw input_error(key, "is a fourth axis", "take one of the three off first");
+  if (axes.size() >= 3) throw input_error(key, "is a fourth axis", "take one of the three off first");
   axes.push_back(suggested_axis(settings, key));
   shows_form_ = page_open = true;
 }

@@ -18,9 +18,8 @@ constexpr size_t kMostAnswers = 64;  // read ahead of a window that does not dra
 
 /// The largest size of the picture's shape that fits.
 Picture fitted(const Picture& picture, int width_px, int height_px) {
-  const double scale = std::min(
-      {static_cast<double>(width_px) / picture.width_px, static_cast<double>(height_px) / picture.height_px,
-       1.0});
+  const double scale = std::min({static_cast<double>(width_px) / picture.width_px,
+                                 static_cast<double>(height_px) / picture.height_px, 1.0});
   return scaled(picture, std::max(1, static_cast<int>(std::lround(picture.width_px * scale))),
                 std::max(1, static_cast<int>(std::lround(picture.height_px * scale))));
 }

@@ -25,12 +25,12 @@ struct StudyForm {
 
 /// What would run.
 struct CheckedForm {
-  StudyDraft draft;                ///< The spec's text and where it is, or will be saved.
-  std::filesystem::path out;       ///< The folder of the results.
-  bool is_saved = false;           ///< The file is there with this very text.
-  std::optional<StudySpec> spec;   ///< Nothing where it cannot run.
-  std::string problem;             ///< Why not, with the text's line where it has one.
-  std::string note;                ///< What to know before it runs; may be empty.
+  StudyDraft draft;               ///< The spec's text and where it is, or will be saved.
+  std::filesystem::path out;      ///< The folder of the results.
+  bool is_saved = false;          ///< The file is there with this very text.
+  std::optional<StudySpec> spec;  ///< Nothing where it cannot run.
+  std::string problem;            ///< Why not, with the text's line where it has one.
+  std::string note;               ///< What to know before it runs; may be empty.
 };
 
 /// A form that sweeps nothing yet, with the settings' size.
