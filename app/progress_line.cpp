@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
+
+#include "app/workbench/duration_text.h"
 
 namespace inkbench {
 namespace {
@@ -12,11 +13,9 @@ namespace {
 constexpr double kQuietSeconds = 10.0;
 constexpr double kTerminalSeconds = 0.1;
 
-std::string duration_text(double seconds) {
-  const long whole = std::lround(std::ceil(seconds));
-  if (whole < 100) return fmt::format("{} s", whole);
-  if (whole < 6000) return fmt::format("{} min {} s", whole / 60, whole % 60);
-  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+void print_json(const StudyProgress& progress) {
+  fmt::print("{}\n", progress_json(progress));
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -33,11 +32,26 @@ std::string progress_text(const StudyProgress& progress) {
   return text;
 }
 
-ProgressLine::ProgressLine()
-    : terminal_(isatty(STDERR_FILENO) == 1), next_seconds_(terminal_ ? 0.0 : kQuietSeconds) {}
+std::string progress_json(const StudyProgress& progress) {
+  return fmt::format(R"({{"done":{},"total":{},"drawn":{},"failed":{},"seconds":{:.3f}}})", progress.done,
+                     progress.total, progress.drawn, progress.failed, progress.seconds);
+}
+
+ProgressLine::ProgressLine(ProgressFormat format)
+    : format_(format),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      next_seconds_(terminal_ || format == ProgressFormat::json ? 0.0 : kQuietSeconds) {}
+
+void ProgressLine::begin(size_t total) {
+  if (format_ == ProgressFormat::json) print_json({.total = total});
+}
 
 void ProgressLine::show(const StudyProgress& progress) {
   if (progress.seconds < next_seconds_) return;
+  if (format_ == ProgressFormat::json) {
+    next_seconds_ = progress.seconds + kTerminalSeconds;
+    return print_json(progress);
+  }
   next_seconds_ = progress.seconds + (terminal_ ? kTerminalSeconds : kQuietSeconds);
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", progress_text(progress), terminal_ ? "" : "\n");
   std::fflush(stderr);
@@ -45,6 +59,7 @@ void ProgressLine::show(const StudyProgress& progress) {
 }
 
 void ProgressLine::finish(const StudyProgress& progress) {
+  if (format_ == ProgressFormat::json) return print_json(progress);
   fmt::print(stderr, "{}{}\n", open_ ? "\r\033[K" : "", progress_text(progress));
   open_ = false;
 }

@@ -1,18 +1,23 @@
-// A study's progress on stderr: one line that renews itself on a terminal, a quiet line now and then
-// elsewhere.
+// A study's progress: for people on stderr, one line that renews itself on a terminal, a quiet line now and
+// then elsewhere; for programs on stdout, a JSON object a line.
 #pragma once
 
 #include "studies/sweep/run_study.h"
 
 namespace inkbench {
 
+enum class ProgressFormat { text, json };
+
 class ProgressLine {
  public:
-  ProgressLine();
+  explicit ProgressLine(ProgressFormat format);
+  /// Tells programs how much there is to do; people are told by the plan's line.
+  void begin(size_t total);
   void show(const StudyProgress& progress);
   void finish(const StudyProgress& progress);
 
  private:
+  ProgressFormat format_;
   bool terminal_;
   double next_seconds_;
   bool open_ = false;
@@ -20,5 +25,8 @@ class ProgressLine {
 
 /// "12 / 49 cells, 14.2 a second, 3 s left".
 std::string progress_text(const StudyProgress& progress);
+
+/// {"done":12,"total":49,"drawn":12,"failed":0,"seconds":0.845}
+std::string progress_json(const StudyProgress& progress);
 
 }  // namespace inkbench

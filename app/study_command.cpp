@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/progress_line.h"
+#include "app/workbench/study_plan.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
@@ -18,7 +19,7 @@ namespace inkbench {
 namespace {
 
 struct StudyArguments {
-  std::string spec, out;
+  std::string spec, out, progress = "text";
   std::vector<std::string> assignments;
   bool dry_run = false, fresh = false, fail_fast = false;
 };
@@ -59,18 +60,7 @@ fs::path find_spec(const std::string& name) {
 }
 
 void print_plan(const StudySpec& spec) {
-  const size_t count = cell_count(spec);
-  std::vector<std::string> sides;
-  for (const Axis& axis : spec.axes) sides.push_back(std::to_string(axis.values.size()));
-  const ImageParams& image = spec.base.image;
-  if (!spec.axes.empty() && !spec.variants.empty()) sides.push_back(std::to_string(spec.variants.size()));
-  const std::string views = spec.views.size() > 1 ? fmt::format(" in {} views", spec.views.size()) : "";
-  const size_t pictures = count * view_count(spec) * spec.show.size();
-  const double bytes = 3.0 * image.width * image.height * static_cast<double>(pictures);
-  fmt::print("{}: {} cell{}{}{} of {} x {} px, at most {}\n", spec.title,
-             with_commas(static_cast<long long>(count)), count == 1 ? "" : "s",
-             sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", views, image.width, image.height,
-             readable_bytes(bytes));
+  fmt::print("{}: {}\n", spec.title, plan_text(spec));
   std::fflush(stdout);
 }
 
@@ -85,7 +75,8 @@ void print_cells(const StudySpec& spec) {
 /// Runs one study; returns whether all of it worked.
 bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
              const StudyArguments& arguments) {
-  ProgressLine line;
+  ProgressLine line(arguments.progress == "json" ? ProgressFormat::json : ProgressFormat::text);
+  line.begin(cell_count(spec));
   StudyOptions options;
   options.folder = folder;
   options.fresh = arguments.fresh;
@@ -165,6 +156,10 @@ void add_study_command(CLI::App& app) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--dry-run", arguments->dry_run, "Check the spec and say what would run");
+  command
+      ->add_option("--progress", arguments->progress,
+                   "text, or json: a line on stdout for each step, for other programs")
+      ->check(CLI::IsMember({"text", "json"}));
   command->add_flag("--fresh", arguments->fresh, "Start over instead of continuing");
   command->add_flag("--fail-fast", arguments->fail_fast, "Stop at the first cell that fails");
   command->footer(

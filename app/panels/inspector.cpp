@@ -29,10 +29,8 @@ constexpr std::array<std::string_view, kBufferCount> kMeanings{
 };
 
 std::string values_text(const Image& pixel) {
-  std::string text;
-  for (int c = 0; c < pixel.channels; ++c)
-    text += (c > 0 ? "  " : "") + number_text(pixel.at(0, 0, c), false);
-  return text;
+  if (pixel.channels == 1) return number_text(pixel.at(0, 0), false);
+  return fmt::format("{:.3f} {:.3f} {:.3f}", pixel.at(0, 0, 0), pixel.at(0, 0, 1), pixel.at(0, 0, 2));
 }
 
 void draw_choice(Workbench& bench, BufferName buffer) {

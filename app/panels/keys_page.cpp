@@ -17,7 +17,7 @@ struct Entry {
 };
 
 constexpr std::array kPictures{
-    Entry{"Wheel", "zoom about the mouse, all pictures together"},
+    Entry{"Wheel", "zoom all pictures about the mouse"},
     Entry{"Drag", "move the pictures"},
     Entry{"Double click", "fill the window with one; again for all"},
     Entry{"1 to 9, 0", "fill the window with that buffer"},
@@ -47,6 +47,9 @@ constexpr std::array kWindow{
     Entry{"Ctrl+O, Ctrl+Q", "open a file; quit"},
     Entry{"F1", "this page"},
 };
+
+constexpr ImGuiWindowFlags kFlags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 
 template <size_t kCount>
 void draw_list(const char* title, const std::array<Entry, kCount>& entries) {
@@ -86,14 +89,23 @@ void draw_columns() {
 void draw_keys_page(Workbench& bench) {
   if (!bench.window.keys_page) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(screen);
+  ImGui::SetNextWindowFocus();
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 110));
+  ImGui::Begin("behind the keys", nullptr, kFlags);
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+    bench.window.keys_page = false;
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::SetNextWindowFocus();
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSize({std::min(scaled(860), screen.x - scaled(20)), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(26), scaled(20)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().bar);
-  ImGui::Begin("keys and mouse", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::Begin("keys and mouse", nullptr, kFlags);
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted("Keys and mouse");
   ImGui::PopFont();

@@ -83,7 +83,7 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
                  : 0;
   };
   float left = side(window.show_left, window.left);
-  float right = side(window.show_right, window.right);
+  float right = side(window.show_right && !bench.studies.page_open, window.right);
   const float spare = screen.x - left - right - scaled(kSmallestMiddle);
   if (spare < 0) right = std::max(0.0F, right + spare);
   const float bottom = window.show_bottom ? std::clamp(scaled(static_cast<float>(window.bottom)),
@@ -99,7 +99,7 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
   if (right > 0) places.right_divider = {{x2, top}, {x2 + gap, middle_foot}};
   if (right > 0) places.right = {{x2 + gap, top}, {screen.x, middle_foot}};
   if (bottom > 0) {
-    const float split = std::round(x1 + (screen.x - x1) * 0.5F);
+    const float split = std::round(x1 + (screen.x - x1) * 0.56F);
     places.bottom_divider = {{x1, middle_foot}, {screen.x, middle_foot + gap}};
     places.timings = {{x1, middle_foot + gap}, {split, foot}};
     places.log = {{split + 1, middle_foot + gap}, {screen.x, foot}};
@@ -139,8 +139,12 @@ void MainFrame::draw(Workbench& bench) {
     panel_heading("Parameters");
     parameters_.draw(bench);
   });
+  follow_studies(bench);
+  if (bench.studies.page_open) {
+    panel("studies", places.middle, theme().panel, [&] { studies_.draw(bench); });
+  }
   panel(
-      "pictures", places.middle, theme().canvas,
+      "pictures", bench.studies.page_open ? Area{} : places.middle, theme().canvas,
       [&] {
         draw_toolbar(bench);
         draw_banner(bench);

@@ -103,6 +103,7 @@ void MenuBar::draw(Workbench& bench) {
     height_ = ImGui::GetWindowHeight();
     file_menu(bench);
     view_menu(bench);
+    studies_.draw_menu(bench);
     const bool help = ImGui::BeginMenu("Help");
     bench.ui_map.mark_item("menu:Help");
     if (help) {
@@ -112,6 +113,7 @@ void MenuBar::draw(Workbench& bench) {
     ImGui::EndMainMenuBar();
   }
   draw_file_question(bench);
+  studies_.draw_question(bench);
 }
 
 }  // namespace inkbench

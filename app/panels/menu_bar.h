@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/panels/studies_menu.h"
 #include "app/window/workbench.h"
 
 namespace inkbench {
@@ -19,6 +20,7 @@ class MenuBar {
   void view_menu(Workbench& bench);
   void draw_file_question(Workbench& bench);
 
+  StudiesMenu studies_;
   bool asking_ = false;
   std::string path_;
   float height_ = 0;

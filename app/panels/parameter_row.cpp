@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/panels/parameter_help.h"
+#include "app/panels/sweep_menu.h"
 #include "app/panels/value_bar.h"
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
@@ -29,6 +30,7 @@ void number_editor(Workbench& bench, const RowContext& row, float width) {
   const double value = whole ? std::get<int>(row.value) : std::get<float>(row.value);
   const BarResult bar = value_bar("value", value, *row.field, width);
   bench.ui_map.mark_item("bar:" + row.key);
+  sweep_key(bench, row.key);
   help_for_parameter(row);
   apply_bar(bench, row.key, bar, whole);
   if (bar.reset) bench.reset(row.key);
@@ -44,6 +46,7 @@ void vector_editor(Workbench& bench, const RowContext& row, float width) {
     if (i > 0) ImGui::SameLine(0, gap);
     const BarResult bar = value_bar(kNames[i], value[i], *row.field, each);
     bench.ui_map.mark_item("bar:" + key);
+    sweep_key(bench, key);
     help_for_parameter(row);
     apply_bar(bench, key, bar, false);
     if (bar.reset) bench.reset(key);
@@ -171,6 +174,7 @@ void name_menu(Workbench& bench, const RowContext& row) {
   if (ImGui::MenuItem("Copy name")) ImGui::SetClipboardText(row.key.c_str());
   if (ImGui::MenuItem("Copy as --set"))
     ImGui::SetClipboardText(("--set '" + row.key + "=" + to_text(row.value) + "'").c_str());
+  sweep_menu_items(bench, row.key);
   ImGui::EndPopup();
 }
 
@@ -187,6 +191,7 @@ void parameter_row(Workbench& bench, const RowContext& row) {
   help_for_parameter(row);
   draw_fitted_text(*ImGui::GetWindowDrawList(), {place.x, place.y + ImGui::GetStyle().FramePadding.y},
                    row.name_width - scaled(4), ImGui::GetColorU32(theme().text), row.field->name);
+  sweep_key(bench, row.key);
   name_menu(bench, row);
   ImGui::SameLine(0, 0);
   editor(bench, row, std::max(ImGui::GetContentRegionAvail().x, scaled(40)));

@@ -14,19 +14,6 @@ bool pressed(int key) {
   return ImGui::IsKeyPressed(key, false);
 }
 
-/// The key by the letter on it, whatever the keyboard's layout.
-bool letter_pressed(char letter) {
-  for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {
-    if (!pressed(key)) continue;
-    const char* name = glfwGetKeyName(key, 0);
-    const char shown = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0'
-                           ? name[0]
-                           : static_cast<char>('a' + key - GLFW_KEY_A);
-    if (shown == letter) return true;
-  }
-  return false;
-}
-
 void set_zoom(Workbench& bench, float change) {
   bench.window.zoom = std::clamp(bench.window.zoom + change, 0.5F, 3.0F);
 }
@@ -57,6 +44,8 @@ void fill_by_number(Workbench& bench) {
 void step_back(Workbench& bench) {
   if (bench.window.keys_page) {
     bench.window.keys_page = false;
+  } else if (bench.studies.page_open) {
+    bench.studies.page_open = false;
   } else if (bench.view.comparison.active) {
     bench.view.comparison.active = false;
   } else {
@@ -80,9 +69,22 @@ void plain_letters(Workbench& bench) {
 
 }  // namespace
 
+bool letter_pressed(char letter) {
+  for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {
+    if (!pressed(key)) continue;
+    const char* name = glfwGetKeyName(key, 0);
+    const char shown = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0'
+                           ? name[0]
+                           : static_cast<char>('a' + key - GLFW_KEY_A);
+    if (shown == letter) return true;
+  }
+  return false;
+}
+
 ShortcutRequests handle_shortcuts(Workbench& bench) {
   const ImGuiIO& io = ImGui::GetIO();
   if (pressed(GLFW_KEY_F1)) bench.window.keys_page = !bench.window.keys_page;
+  if (pressed(GLFW_KEY_F3)) bench.studies.page_open = !bench.studies.page_open;
   if (pressed(GLFW_KEY_F11)) bench.requests.toggle_full_screen = true;
   if (pressed(GLFW_KEY_F12)) bench.requests.screenshot = true;
   if (io.KeyCtrl && !io.KeyAlt) return with_control(bench);

@@ -10,6 +10,9 @@ struct ShortcutRequests {
   bool search = false, open = false;
 };
 
+/// The key went down in this frame, by the letter on it, whatever the keyboard's layout.
+bool letter_pressed(char letter);
+
 /// Once a frame; keys that a text field wants are its own.
 ShortcutRequests handle_shortcuts(Workbench& bench);
 

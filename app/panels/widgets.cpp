@@ -1,5 +1,9 @@
 #include "app/panels/widgets.h"
 
+#include <fmt/format.h>
+
+#include <cstdlib>
+
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 
@@ -66,16 +70,25 @@ bool toggle_button(const char* label, bool on, std::string_view help) {
   return pressed;
 }
 
+std::string short_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_number = !text.empty() && end == text.c_str() + text.size();
+  return is_number && text.size() > 6 ? fmt::format("{:.4g}", value) : text;
+}
+
 void panel_heading(std::string_view text) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 low = ImGui::GetWindowPos();
   const float height = ImGui::GetFrameHeight() + scaled(2);
   const ImVec2 high{low.x + ImGui::GetWindowWidth(), low.y + height};
+  list.PushClipRect(low, high, false);
   list.AddRectFilled(low, high, theme().bar);
   list.AddText(fonts().bold, ImGui::GetFontSize(),
                {low.x + scaled(10), low.y + (height - ImGui::GetFontSize()) / 2}, theme().text,
                begin_of(text), end_of(text));
-  ImGui::SetCursorScreenPos({low.x + ImGui::GetStyle().WindowPadding.x, high.y + scaled(6)});
+  list.PopClipRect();
+  ImGui::SetCursorScreenPos({low.x + ImGui::GetStyle().WindowPadding.x, high.y + scaled(7)});
 }
 
 void help_for_item(std::string_view text) {

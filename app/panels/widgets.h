@@ -22,6 +22,9 @@ float draw_fitted_text(ImDrawList& list, ImVec2 place, float width, ImU32 colour
 /// A button that is on or off.
 bool toggle_button(const char* label, bool on, std::string_view help = "");
 
+/// A number of a table as people read it: at most four digits; any other text as it is.
+std::string short_number(const std::string& text);
+
 /// A heading across a panel.
 void panel_heading(std::string_view text);
 

@@ -129,6 +129,12 @@ void InputQueue::feed() {
   io.MousePos =
       known ? ImVec2(static_cast<float>(mouse_x_), static_cast<float>(mouse_y_)) : ImVec2(-FLT_MAX, -FLT_MAX);
   for (size_t i = 0; i < buttons_.size(); ++i) io.MouseDown[i] = buttons_[i];
+  // The backend asks for the keys' state now, which may be later than the events of this frame.
+  const auto down = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
+  io.KeyCtrl = down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+  io.KeyShift = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+  io.KeyAlt = down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+  io.KeySuper = down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
 }
 
 bool InputQueue::take_activity() {

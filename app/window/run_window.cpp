@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 
 #include "app/panels/main_frame.h"
 #include "app/window/gui.h"
@@ -21,10 +22,11 @@
 namespace inkbench {
 namespace {
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kPollSeconds = 0.5;
 /// Frames after something happened: ImGui needs one more than the event's to settle (hover, popups' sizes).
 constexpr int kSettleFrames = 3;
-constexpr double kNewestShare = 0.1;
+constexpr double kNewestShare = 0.2;
 
 std::filesystem::path window_params_path() {
   if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && config[0] == '/')
@@ -82,6 +84,7 @@ class Session {
   MainFrame frame_;
   int frames_wanted_ = kSettleFrames;
   double next_poll_ = 0.0;
+  double wake_at_ = kNever;
   int drag_frame_ = 0;
   std::string written_state_;
   bool failed_frame_ = false;
@@ -132,15 +135,18 @@ void Session::save_window_state() {
 /// Sleeps until there is something to do; sets how many frames that takes.
 void Session::wait() {
   const double now = seconds_now();
-  const double wake = bench_.take_wake_seconds();
+  wake_at_ = std::min(wake_at_, now + bench_.take_wake_seconds());
   const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
   if (busy) {
     poll_events();
   } else {
-    wait_for_events(std::min(next_poll_ - now, wake));
+    wait_for_events(std::min(next_poll_, wake_at_) - now);
   }
   if (input_.take_activity()) frames_wanted_ = kSettleFrames;
-  if (std::isfinite(wake) && seconds_now() >= now + wake) frames_wanted_ = std::max(frames_wanted_, 1);
+  if (seconds_now() >= wake_at_) {
+    frames_wanted_ = std::max(frames_wanted_, 1);
+    wake_at_ = kNever;
+  }
   if (seconds_now() >= next_poll_) {
     if (bench_.poll_files()) frames_wanted_ = std::max(frames_wanted_, 2);
     next_poll_ = seconds_now() + kPollSeconds;
@@ -179,7 +185,8 @@ void Session::draw_frame() {
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   FrameTimes& times = bench_.frame_times;
   times.last_ms = ms;
-  times.mean_ms = times.frames == 0 ? ms : times.mean_ms + kNewestShare * (ms - times.mean_ms);
+  times.mean_ms = times.frames < 2 ? ms :  // the first one loads meshes and makes textures
+                      times.mean_ms + kNewestShare * (ms - times.mean_ms);
   ++times.frames;
 }
 

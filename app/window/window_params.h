@@ -12,7 +12,7 @@ namespace inkbench {
 
 struct WindowParams {
   int width = 1280, height = 800;
-  int left = 330, right = 250, bottom = 170;
+  int left = 320, right = 276, bottom = 170;
   bool show_left = true, show_right = true, show_bottom = true;
   ThemeName theme = ThemeName::dark;
   float zoom = 1.0F;

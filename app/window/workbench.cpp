@@ -93,7 +93,8 @@ void Workbench::refresh() {
   const Key state = drawn_state();
   if (failed_ == state) return;
   try {
-    pictures.refresh(settings_, wanted_buffers(), is_editing());
+    const bool hurry = is_editing() || frame_times.frames == 0;
+    pictures.refresh(settings_, wanted_buffers(), hurry);
     last_good_ = settings_;
     failed_.reset();
     dismiss(ProblemKind::drawing);

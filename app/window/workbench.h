@@ -12,6 +12,7 @@
 #include "app/window/message_log.h"
 #include "app/window/pass_timer.h"
 #include "app/window/pictures.h"
+#include "app/window/studies.h"
 #include "app/window/tile.h"
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
@@ -105,6 +106,7 @@ class Workbench {
   PassTimer timer;         ///< Of the pipeline's passes.
   PassTimer window_timer;  ///< Of the tiles and the window itself.
   Pictures pictures;
+  Studies studies;
   TilePainter tiles;
 
  private:

@@ -5,16 +5,11 @@
 #include "pipeline/base/error.h"
 
 namespace inkbench {
-namespace {
-
-/// Empty where the variable is no absolute path, which the XDG specification says to ignore.
 std::filesystem::path absolute_variable(const char* name) {
   const char* value = std::getenv(name);
   const std::filesystem::path path = value == nullptr ? "" : value;
   return path.is_absolute() ? path : std::filesystem::path();
 }
-
-}  // namespace
 
 std::filesystem::path user_folder() {
   if (const auto config = absolute_variable("XDG_CONFIG_HOME"); !config.empty()) return config / "inkbench";

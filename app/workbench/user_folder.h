@@ -9,4 +9,7 @@ namespace inkbench {
 /// there yet. Errors (work): neither XDG_CONFIG_HOME nor HOME says where.
 std::filesystem::path user_folder();
 
+/// The variable's value; empty where it is no absolute path, which the XDG specification says to ignore.
+std::filesystem::path absolute_variable(const char* name);
+
 }  // namespace inkbench

@@ -20,4 +20,7 @@ LineView line_view(const LineMap& drawn, const ReferenceLines& lines);
 /// which are staircases along pixels.
 LineTally tally_view(const LineView& view, const ReferenceLines& lines, double tolerance_px = kTolerancePx);
 
+/// Its measures.
+Measures measure_view(const LineView& view, const ReferenceLines& lines, double tolerance_px = kTolerancePx);
+
 }  // namespace inkbench

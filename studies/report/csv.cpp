@@ -68,4 +68,16 @@ CsvTable parse_csv(std::string_view text) {
   return table;
 }
 
+std::vector<std::vector<std::string>> csv_rows(std::string_view text, size_t& used) {
+  bool quoted = false;
+  used = 0;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;  // a doubled quote turns it twice
+    if (text[i] == '\n' && !quoted) used = i + 1;
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (std::string_view rest = text.substr(0, used); !rest.empty();) rows.push_back(take_row(rest));
+  return rows;
+}
+
 }  // namespace inkbench

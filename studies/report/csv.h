@@ -24,4 +24,8 @@ struct CsvTable {
 /// table.
 CsvTable parse_csv(std::string_view text);
 
+/// The fields of every row that has its end; the rest of the text, a row that is still being written, is left
+/// out. `used`: where that rest begins.
+std::vector<std::vector<std::string>> csv_rows(std::string_view text, size_t& used);
+
 }  // namespace inkbench

@@ -24,14 +24,6 @@ std::vector<std::string> names_of(const std::vector<NamedSet>& sets) {
   return names.empty() ? std::vector<std::string>{""} : names;
 }
 
-GridAxis axis_labels(const StudySpec& spec, size_t index) {
-  if (index == spec.axes.size() && !spec.variants.empty()) return {"", names_of(spec.variants)};
-  if (index >= spec.axes.size()) return {"", {""}};
-  GridAxis labels{spec.axes[index].label, {}};
-  for (const Value& value : spec.axes[index].values) labels.values.push_back(label_text(value));
-  return labels;
-}
-
 /// A study of a single cell is laid out by buffer and view; else a cell holds them all, side by side.
 bool cell_is_the_grid(const StudySpec& spec) {
   return cell_count(spec) == 1 && picture_count(spec) > 1;
@@ -54,9 +46,9 @@ void label_axes(const StudySpec& spec, GridLayout& layout) {
   }
   layout.subtitle = join(shown_names(spec), ", ") + " at " + size;
   if (spec.views.size() > 1) layout.subtitle += ", from left to right: " + join(names_of(spec.views), ", ");
-  layout.columns = axis_labels(spec, 0);
-  layout.rows = axis_labels(spec, 1);
-  layout.pages = axis_labels(spec, 2);
+  layout.columns = grid_axis(spec, 0);
+  layout.rows = grid_axis(spec, 1);
+  layout.pages = grid_axis(spec, 2);
 }
 
 /// Of a cell's pictures side by side, as they are.
@@ -94,6 +86,14 @@ void remove_further_pages(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+GridAxis grid_axis(const StudySpec& spec, size_t index) {
+  if (index == spec.axes.size() && !spec.variants.empty()) return {"", names_of(spec.variants)};
+  if (index >= spec.axes.size()) return {"", {""}};
+  GridAxis labels{spec.axes[index].label, {}};
+  for (const Value& value : spec.axes[index].values) labels.values.push_back(label_text(value));
+  return labels;
+}
 
 std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const StudyFolder& folder,
                                                     const PictureSink& on_picture) {

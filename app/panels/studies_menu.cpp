@@ -1,0 +1,109 @@
+#include "app/panels/studies_menu.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "app/panels/attempt.h"
+#include "app/panels/widgets.h"
+#include "app/window/gui.h"
+#include "app/window/theme.h"
+#include "pipeline/base/files.h"
+
+namespace inkbench {
+namespace {
+
+bool item(Workbench& bench, const char* label, const char* keys = nullptr, bool on = false) {
+  const bool chosen = ImGui::MenuItem(label, keys, on);
+  bench.ui_map.mark_item(std::string("menu:") + label);
+  return chosen;
+}
+
+/// A spec, or the folder of a study that ran.
+void open_path(Workbench& bench, const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    bench.studies.open_folder(path);
+  } else {
+    bench.studies.open_spec(path);
+  }
+}
+
+}  // namespace
+
+/// Once: reading a spec reads its scene, too.
+void StudiesMenu::read_bundled() {
+  if (bundled_) return;
+  bundled_.emplace();
+  for (const auto& [label, place] :
+       {std::pair{"Bundled", "studies"}, {"The paper's figures", "studies/figures"}}) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(project_root() / place, error)) {
+      if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    Folder folder{label, {}};
+    for (const fs::path& file : files) {
+      try {
+        const StudySpec spec = load_spec(file);
+        folder.studies.push_back(
+            {file, spec.title.empty() ? file.stem().string() : spec.title, spec.purpose});
+      } catch (const Error& problem) {
+        folder.studies.push_back({file, file.filename().string(), problem.what()});
+      }
+    }
+    bundled_->push_back(std::move(folder));
+  }
+}
+
+void StudiesMenu::draw_menu(Workbench& bench) {
+  const bool open = ImGui::BeginMenu("Studies");
+  bench.ui_map.mark_item("menu:Studies");
+  if (!open) return;
+  Studies& studies = bench.studies;
+  if (item(bench, "Show the studies", "F3", studies.page_open)) studies.page_open = !studies.page_open;
+  if (item(bench, "New study")) attempt(bench, [&] { studies.new_form(bench.settings()); });
+  if (item(bench, "Open a spec or results...")) asking_ = true;
+  ImGui::Separator();
+  read_bundled();
+  for (const Folder& folder : *bundled_) {
+    const bool below = ImGui::BeginMenu(folder.label.c_str());
+    bench.ui_map.mark_item("menu:" + folder.label);
+    if (!below) continue;
+    for (const Bundled& study : folder.studies) {
+      if (item(bench, study.title.c_str())) attempt(bench, [&] { studies.open_spec(study.file); });
+      help_for_item(study.purpose);
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::EndMenu();
+}
+
+void StudiesMenu::draw_question(Workbench& bench) {
+  if (asking_) ImGui::OpenPopup("Open a study");
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 3}, ImGuiCond_Appearing, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({std::min(scaled(560), screen.x - scaled(20)), 0});
+  if (!ImGui::BeginPopupModal("Open a study", nullptr,
+                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings))
+    return;
+  ImGui::PushFont(fonts().bold);
+  ImGui::TextUnformatted("Open a study");
+  ImGui::PopFont();
+  faint_text("A spec (.toml), or the folder of a study that ran.");
+  if (asking_) ImGui::SetKeyboardFocusHere();
+  asking_ = false;
+  ImGui::SetNextItemWidth(-1);
+  const bool entered = ImGui::InputText("##study path", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
+  bench.ui_map.mark_item("study path");
+  const bool opens = ImGui::Button("Open") || entered;
+  ImGui::SameLine();
+  const bool cancels = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  if (opens && !path_.empty()) attempt(bench, [&] { open_path(bench, path_); });
+  if (opens || cancels) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace inkbench

@@ -1,0 +1,16 @@
+// How much a study will do: for the line that the command line prints and the window shows before it runs.
+#pragma once
+
+#include <string>
+
+#include "studies/sweep/spec.h"
+
+namespace inkbench {
+
+/// Pixels of all pictures of all cells.
+double pixel_count(const StudySpec& spec);
+
+/// "49 cells (7 x 7) of 1024 x 1024 px, at most 154.1 MB".
+std::string plan_text(const StudySpec& spec);
+
+}  // namespace inkbench
