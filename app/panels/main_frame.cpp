@@ -86,9 +86,10 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
   float right = side(window.show_right, window.right);
   const float spare = screen.x - left - right - scaled(kSmallestMiddle);
   if (spare < 0) right = std::max(0.0F, right + spare);
-  const float bottom = window.show_bottom ? std::clamp(scaled(static_cast<float>(window.bottom)),
-                                                       scaled(kSmallestBottom), (foot - top) * 0.6F)
-                                          : 0;
+  const float bottom = window.show_bottom || bench.view.edits_ramps
+                           ? std::clamp(scaled(static_cast<float>(window.bottom)), scaled(kSmallestBottom),
+                                        (foot - top) * 0.6F)
+                           : 0;
   const float middle_foot = bottom > 0 ? foot - bottom - gap : foot;
   Places places;
   const float x1 = left > 0 ? left + gap : 0;
@@ -116,6 +117,15 @@ void MainFrame::draw_dividers(Workbench& bench, const Places& places) {
 }
 
 void MainFrame::draw_bottom(Workbench& bench, const Places& places) {
+  if (bench.view.edits_ramps) {
+    panel("ramps", {places.timings.low, places.log.high}, theme().panel, [&] {
+      panel_heading("Ramps");
+      if (close_button("close")) bench.view.edits_ramps = false;
+      bench.ui_map.mark_item("close ramps");
+      ramp_editor_.draw(bench);
+    });
+    return;
+  }
   panel("timings", places.timings, theme().panel, [&] {
     panel_heading("Timings");
     draw_timings(bench);

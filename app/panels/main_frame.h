@@ -5,6 +5,7 @@
 #include "app/panels/log.h"
 #include "app/panels/menu_bar.h"
 #include "app/panels/parameters.h"
+#include "app/panels/ramp_editor.h"
 #include "app/window/workbench.h"
 
 namespace inkbench {
@@ -24,6 +25,7 @@ class MainFrame {
   ParametersPanel parameters_;
   InspectorPanel inspector_;
   LogPanel log_;
+  RampEditor ramp_editor_;
 };
 
 }  // namespace inkbench

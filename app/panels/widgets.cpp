@@ -80,6 +80,25 @@ void panel_heading(std::string_view text) {
   ImGui::SetCursorScreenPos({low.x + ImGui::GetStyle().WindowPadding.x, high.y + scaled(7)});
 }
 
+bool close_button(const char* id) {
+  const ImVec2 back = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight() + scaled(2);
+  const ImVec2 low{ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - height - scaled(4),
+                   ImGui::GetWindowPos().y};
+  ImGui::SetCursorScreenPos(low);
+  const bool pressed = ImGui::InvisibleButton(id, {height, height});
+  const ImU32 colour = ImGui::IsItemHovered() ? theme().text : theme().faint;
+  const ImVec2 middle{low.x + height / 2, low.y + height / 2};
+  const float r = scaled(4);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(low, {low.x + height, low.y + height}, false);
+  list.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, colour, scaled(1.5F));
+  list.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, colour, scaled(1.5F));
+  list.PopClipRect();
+  ImGui::SetCursorScreenPos(back);
+  return pressed;
+}
+
 void help_for_item(std::string_view text) {
   if (hover_seconds() < kHelpDelay) return;
   ImGui::BeginTooltip();

@@ -25,6 +25,9 @@ bool toggle_button(const char* label, bool on, std::string_view help = "");
 /// A heading across a panel.
 void panel_heading(std::string_view text);
 
+/// A cross at the right end of the panel's heading; after `panel_heading`.
+bool close_button(const char* id);
+
 /// A tooltip for the last item, which wraps long lines.
 void help_for_item(std::string_view text);
 

@@ -43,6 +43,7 @@ struct ViewState {
   std::optional<double> wanted_magnification;  ///< To set when tiles are next drawn.
   bool camera_moving = false;                  ///< The mouse drags the camera.
   std::optional<HoveredPixel> hovered;
+  bool edits_ramps = false;  ///< The ramp editor is open, in the place of timings and log.
 
   void fit() {
     zoom = 1.0;

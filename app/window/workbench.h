@@ -77,6 +77,8 @@ class Workbench {
   void refresh();
   /// Now and then: takes in edits of shaders, meshes and ramps on disk. Returns whether there were any.
   bool poll_files();
+  /// Another number after each such edit.
+  long files_revision() const { return files_revision_; }
   /// The buffers that the sheet shows, or those that fill the window.
   std::array<bool, kBufferCount> wanted_buffers() const;
   bool is_listed(BufferName buffer) const;
