@@ -24,6 +24,10 @@ constexpr std::array kPictures{
     Entry{"Esc", "back to all"},
     Entry{"F, Z", "fit; one to one"},
     Entry{"C, Space", "compare two; flip between them"},
+    Entry{"Click", "why a pixel is a line or not"},
+    Entry{"Arrows, Esc", "move that pixel, with Shift by ten; forget it"},
+    Entry{"L", "reference lines, right and wrong ones, none"},
+    Entry{"J", "judge the lines; back to the inspector"},
     Entry{"P", "pin this state to compare with"},
 };
 
@@ -31,6 +35,7 @@ constexpr std::array kParameters{
     Entry{"Drag", "set; with Shift finer"},
     Entry{"Ctrl+click", "type a number"},
     Entry{"Right click", "reset to the scene's value"},
+    Entry{"R", "edit the ramps; Delete removes a stop"},
     Entry{"Ctrl+F", "search parameters"},
 };
 
@@ -72,7 +77,7 @@ void draw_list(const char* title, const std::array<Entry, kCount>& entries) {
 
 void draw_columns() {
   const float width = (ImGui::GetContentRegionAvail().x - scaled(24)) / 2;
-  const float height = scaled(320);
+  const float height = scaled(350);
   ImGui::BeginChild("left", {width, height});
   draw_list("Pictures", kPictures);
   draw_list("Window", kWindow);

@@ -157,7 +157,7 @@ void MainFrame::draw(Workbench& bench) {
         draw_contact_sheet(bench);
       },
       ImGuiWindowFlags_NoScrollWithMouse);
-  panel("inspector", places.right, theme().panel, [&] { inspector_.draw(bench); });
+  panel("inspector", places.right, theme().panel, [&] { side_panel_.draw(bench); });
   draw_bottom(bench, places);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(4)));
   panel("status", places.status, theme().bar, [&] { draw_status_bar(bench); });

@@ -1,11 +1,11 @@
 // The whole window: where the panels are, the dividers between them, and each panel's turn.
 #pragma once
 
-#include "app/panels/inspector.h"
 #include "app/panels/log.h"
 #include "app/panels/menu_bar.h"
 #include "app/panels/parameters.h"
 #include "app/panels/ramp_editor.h"
+#include "app/panels/side_panel.h"
 #include "app/window/workbench.h"
 
 namespace inkbench {
@@ -23,7 +23,7 @@ class MainFrame {
 
   MenuBar menu_bar_;
   ParametersPanel parameters_;
-  InspectorPanel inspector_;
+  SidePanel side_panel_;
   LogPanel log_;
   RampEditor ramp_editor_;
 };

@@ -61,6 +61,15 @@ void MenuBar::view_menu(Workbench& bench) {
   if (item(bench, "Parameters", nullptr, window.show_left)) window.show_left = !window.show_left;
   if (item(bench, "Inspector", nullptr, window.show_right)) window.show_right = !window.show_right;
   if (item(bench, "Timings and log", nullptr, window.show_bottom)) window.show_bottom = !window.show_bottom;
+  if (item(bench, "Ramp editor", "R", bench.view.edits_ramps))
+    bench.view.edits_ramps = !bench.view.edits_ramps;
+  ImGui::Separator();
+  ViewState& view = bench.view;
+  if (item(bench, "Pictures as they are", "L", view.overlay == Overlay::none)) view.overlay = Overlay::none;
+  if (item(bench, "Reference lines over them", "L", view.overlay == Overlay::reference))
+    view.overlay = Overlay::reference;
+  if (item(bench, "Right and wrong lines", "L", view.overlay == Overlay::matches))
+    view.overlay = Overlay::matches;
   ImGui::Separator();
   if (item(bench, "Dark", nullptr, window.theme == ThemeName::dark)) window.theme = ThemeName::dark;
   if (item(bench, "Light", nullptr, window.theme == ThemeName::light)) window.theme = ThemeName::light;

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "app/panels/comparison.h"
+#include "app/panels/mark.h"
+#include "app/panels/overlay_legend.h"
 
 namespace inkbench {
 namespace {
@@ -57,6 +59,8 @@ void fill_by_number(Workbench& bench) {
 void step_back(Workbench& bench) {
   if (bench.window.keys_page) {
     bench.window.keys_page = false;
+  } else if (bench.view.marked) {
+    bench.view.marked.reset();
   } else if (bench.view.comparison.active) {
     bench.view.comparison.active = false;
   } else {
@@ -69,11 +73,27 @@ void toggle_panels(WindowParams& window) {
   window.show_left = window.show_right = window.show_bottom = !any;
 }
 
+/// The arrow keys, again and again while they are held; ten pixels with Shift.
+void move_mark_by_keys(Workbench& bench) {
+  const int step = ImGui::GetIO().KeyShift ? 10 : 1;
+  const auto held = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
+  const int dx = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
+  const int dy = held(GLFW_KEY_DOWN) - held(GLFW_KEY_UP);
+  if (dx != 0 || dy != 0) move_mark(bench, dx * step, dy * step);
+}
+
 void plain_letters(Workbench& bench) {
   if (letter_pressed('f')) bench.view.fit();
   if (letter_pressed('z')) bench.view.wanted_magnification = 1.0;
   if (letter_pressed('c')) toggle_comparison(bench);
   if (letter_pressed('p')) bench.pin();
+  if (letter_pressed('l')) next_overlay(bench);
+  if (letter_pressed('j')) {
+    const bool on = bench.window.show_right && bench.view.side_page == SidePage::judge;
+    bench.view.side_page = on ? SidePage::inspector : SidePage::judge;
+    bench.window.show_right = true;
+  }
+  if (letter_pressed('r')) bench.view.edits_ramps = !bench.view.edits_ramps;
   if (letter_pressed('v')) bench.view.tool = MouseTool::view;
   if (letter_pressed('o')) bench.view.tool = MouseTool::camera;
 }
@@ -96,6 +116,7 @@ ShortcutRequests handle_shortcuts(Workbench& bench) {
     comparison.flips = true;
   }
   fill_by_number(bench);
+  move_mark_by_keys(bench);
   plain_letters(bench);
   return {};
 }

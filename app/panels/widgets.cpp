@@ -1,5 +1,7 @@
 #include "app/panels/widgets.h"
 
+#include <cfloat>
+
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 
@@ -78,6 +80,30 @@ void panel_heading(std::string_view text) {
                begin_of(text), end_of(text));
   list.PopClipRect();
   ImGui::SetCursorScreenPos({low.x + ImGui::GetStyle().WindowPadding.x, high.y + scaled(7)});
+}
+
+void heading_tabs(UiMap& map, std::span<const char* const> names, size_t& chosen) {
+  panel_heading("");
+  const ImVec2 back = ImGui::GetCursorScreenPos();
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const float height = ImGui::GetFrameHeight() + scaled(2);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(corner, {corner.x + ImGui::GetWindowWidth(), corner.y + height}, false);
+  float x = corner.x + scaled(10);
+  for (size_t i = 0; i < names.size(); ++i) {
+    const float width = fonts().bold->CalcTextSizeA(ImGui::GetFontSize(), FLT_MAX, 0, names[i]).x;
+    ImGui::SetCursorScreenPos({x, corner.y});
+    if (ImGui::InvisibleButton(names[i], {width, height})) chosen = i;
+    map.mark_item(std::string("tab:") + names[i]);
+    const bool bright = i == chosen || ImGui::IsItemHovered();
+    list.AddText(fonts().bold, ImGui::GetFontSize(), {x, corner.y + (height - ImGui::GetFontSize()) / 2},
+                 bright ? theme().text : theme().faint, names[i]);
+    if (i == chosen)
+      list.AddRectFilled({x, corner.y + height - scaled(2)}, {x + width, corner.y + height}, theme().accent);
+    x += width + scaled(18);
+  }
+  list.PopClipRect();
+  ImGui::SetCursorScreenPos(back);
 }
 
 bool close_button(const char* id) {

@@ -3,8 +3,11 @@
 
 #include <imgui.h>
 
+#include <span>
 #include <string>
 #include <string_view>
+
+#include "app/window/ui_map.h"
 
 namespace inkbench {
 
@@ -24,6 +27,9 @@ bool toggle_button(const char* label, bool on, std::string_view help = "");
 
 /// A heading across a panel.
 void panel_heading(std::string_view text);
+
+/// The same with several names of which one is chosen, each an item `tab:NAME` of the map.
+void heading_tabs(UiMap& map, std::span<const char* const> names, size_t& chosen);
 
 /// A cross at the right end of the panel's heading; after `panel_heading`.
 bool close_button(const char* id);

@@ -147,6 +147,7 @@ void Session::wait() {
     frames_wanted_ = std::max(frames_wanted_, 1);
     wake_at_ = kNever;
   }
+  if (bench_.judge.take_news()) frames_wanted_ = std::max(frames_wanted_, 2);
   if (seconds_now() >= next_poll_) {
     if (bench_.poll_files()) frames_wanted_ = std::max(frames_wanted_, 2);
     next_poll_ = seconds_now() + kPollSeconds;
@@ -249,7 +250,8 @@ void Session::run() {
     draw_frame();
     --frames_wanted_;
     ++frames;
-    const bool waits_for_times = bench_.timer.is_waiting() || bench_.pictures.has_late();
+    const bool waits_for_times =
+        bench_.timer.is_waiting() || bench_.pictures.has_late() || bench_.judge.is_late();
     if (waits_for_times && frames_wanted_ <= 0 && !bench_.is_editing()) frames_wanted_ = 1;
   }
   if (options_.drag_frames > 0) {

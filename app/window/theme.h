@@ -29,6 +29,7 @@ struct Palette {
   ImU32 accent;
   ImU32 accent_soft;  ///< The filled part of a slider, a selected row.
   ImU32 on_accent;    ///< Text on the accent.
+  ImU32 mark;         ///< On pictures of any colour, beside the accent.
   ImU32 warning, error, good;
 };
 

@@ -95,6 +95,9 @@ void Workbench::refresh() {
   try {
     const bool hurry = is_editing() || frame_times.frames == 0;
     pictures.refresh(settings_, wanted_buffers(), hurry);
+    const bool judges = window.show_right && view.side_page == SidePage::judge;
+    judge.refresh(pictures, settings_,
+                  {judges || view.overlay == Overlay::matches, view.overlay == Overlay::reference}, hurry);
     last_good_ = settings_;
     failed_.reset();
     dismiss(ProblemKind::drawing);

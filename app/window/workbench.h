@@ -9,9 +9,11 @@
 #include <optional>
 #include <string>
 
+#include "app/window/judge_desk.h"
 #include "app/window/message_log.h"
 #include "app/window/pass_timer.h"
 #include "app/window/pictures.h"
+#include "app/window/pixel_probe.h"
 #include "app/window/tile.h"
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
@@ -108,6 +110,8 @@ class Workbench {
   PassTimer window_timer;  ///< Of the tiles and the window itself.
   Pictures pictures;
   TilePainter tiles;
+  JudgeDesk judge;
+  PixelProbe probe;  ///< Of the marked pixel.
 
  private:
   template <class Change>
