@@ -160,9 +160,9 @@ void JudgeView::draw_state(Workbench& bench) {
   std::string text;
   if (judge.now() != nullptr) text = fmt::format("measured in {:.0f} ms", 1e3 * judge.now()->seconds);
   if (waits) text = judge.is_late() ? "measured when you let go" : "measuring…";
-  const bool pinned = bench.pictures.pinned_settings().has_value();
-  if (pinned && judge.pinned() != nullptr) text += ", against the pinned state";
+  if (judge.pinned() != nullptr) text += "; changes since the pin";
   fitted_text(text, ImGui::GetContentRegionAvail().x, theme().faint);
+  ImGui::Dummy({0, scaled(1)});
 }
 
 void JudgeView::draw(Workbench& bench) {
