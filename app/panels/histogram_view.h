@@ -1,6 +1,8 @@
 // How often values occur in the selected buffer, with what is shown as black and as white: two marks to drag.
 #pragma once
 
+#include <imgui.h>
+
 #include "app/window/workbench.h"
 #include "app/workbench/value_histogram.h"
 

@@ -75,11 +75,12 @@ void value_row(Workbench& bench, BufferName buffer, const HoveredPixel& pixel) {
   ImGui::TableNextColumn();
   coloured_text(buffer == pixel.picture.buffer ? theme().text : theme().faint, name_of(buffer));
   ImGui::TableNextColumn();
-  const ImageParams& image = bench.settings().image;
-  if (pixel.x >= image.width || pixel.y >= image.height) return;
+  // Those that are drawn, not those that this frame's mouse made: reading must not run a pass.
+  const std::optional<Settings>& settings = bench.drawn_settings();
+  if (!settings || pixel.x >= settings->image.width || pixel.y >= settings->image.height) return;
   try {
     ImGui::TextUnformatted(
-        values_text(bench.pictures.pipeline().pixel(bench.settings(), buffer, pixel.x, pixel.y)).c_str());
+        values_text(bench.pictures.pipeline().pixel(*settings, buffer, pixel.x, pixel.y)).c_str());
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }

@@ -48,6 +48,7 @@ constexpr std::array kCamera{
 
 constexpr std::array kWindow{
     Entry{"Tab", "pictures alone; again for all panels"},
+    Entry{"Ctrl+Z, Ctrl+Y", "undo; redo"},
     Entry{"F11, F12", "full screen; save a screenshot"},
     Entry{"Ctrl+O, Ctrl+Q", "open a file; quit"},
     Entry{"F1", "this page"},
@@ -92,7 +93,7 @@ void draw_columns() {
 }  // namespace
 
 void draw_keys_page(Workbench& bench) {
-  if (!bench.window.keys_page) return;
+  if (!bench.layout.show_welcome) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(screen);
@@ -100,7 +101,7 @@ void draw_keys_page(Workbench& bench) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 110));
   ImGui::Begin("behind the keys", nullptr, kFlags);
   if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-    bench.window.keys_page = false;
+    bench.layout.show_welcome = false;
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::SetNextWindowFocus();
@@ -117,7 +118,7 @@ void draw_keys_page(Workbench& bench) {
   faint_text("Every number has a slider on the left; every picture follows at once.");
   ImGui::Dummy({0, scaled(8)});
   draw_columns();
-  if (ImGui::Button("Start", {scaled(110), 0})) bench.window.keys_page = false;
+  if (ImGui::Button("Start", {scaled(110), 0})) bench.layout.show_welcome = false;
   bench.ui_map.mark_item("start");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();

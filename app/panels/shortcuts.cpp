@@ -4,10 +4,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/comparison.h"
 #include "app/panels/mark.h"
 #include "app/panels/overlay_legend.h"
+#include "app/window/theme.h"
 
 namespace inkbench {
 namespace {
@@ -29,17 +31,17 @@ bool letter_pressed(char letter) {
   return false;
 }
 
-void set_zoom(Workbench& bench, float change) {
-  bench.window.zoom = std::clamp(bench.window.zoom + change, 0.5F, 3.0F);
-}
-
 ShortcutRequests with_control(Workbench& bench) {
   ShortcutRequests requests;
   requests.search = letter_pressed('f');
   requests.open = letter_pressed('o');
   if (letter_pressed('q')) bench.requests.close = true;
-  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) set_zoom(bench, 0.1F);
-  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) set_zoom(bench, -0.1F);
+  const bool shift = ImGui::GetIO().KeyShift;
+  const bool in_text = ImGui::GetIO().WantTextInput;
+  if (letter_pressed('z') && !in_text) shift ? bench.redo() : bench.undo();
+  if (letter_pressed('y') && !in_text) bench.redo();
+  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) change_text_size(bench, 0.1F);
+  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) change_text_size(bench, -0.1F);
   return requests;
 }
 
@@ -57,8 +59,8 @@ void fill_by_number(Workbench& bench) {
 
 /// One step back towards the sheet of all buffers.
 void step_back(Workbench& bench) {
-  if (bench.window.keys_page) {
-    bench.window.keys_page = false;
+  if (bench.layout.show_welcome) {
+    bench.layout.show_welcome = false;
   } else if (bench.view.marked) {
     bench.view.marked.reset();
   } else if (bench.view.comparison.active) {
@@ -68,9 +70,9 @@ void step_back(Workbench& bench) {
   }
 }
 
-void toggle_panels(WindowParams& window) {
-  const bool any = window.show_left || window.show_right || window.show_bottom;
-  window.show_left = window.show_right = window.show_bottom = !any;
+void toggle_panels(WindowLayout& layout) {
+  const bool any = layout.show_parameters || layout.show_inspector || layout.show_timings || layout.show_log;
+  layout.show_parameters = layout.show_inspector = layout.show_timings = layout.show_log = !any;
 }
 
 /// The arrow keys, again and again while they are held; ten pixels with Shift.
@@ -89,9 +91,9 @@ void plain_letters(Workbench& bench) {
   if (letter_pressed('p')) bench.pin();
   if (letter_pressed('l')) next_overlay(bench);
   if (letter_pressed('j')) {
-    const bool on = bench.window.show_right && bench.view.side_page == SidePage::judge;
+    const bool on = bench.layout.show_inspector && bench.view.side_page == SidePage::judge;
     bench.view.side_page = on ? SidePage::inspector : SidePage::judge;
-    bench.window.show_right = true;
+    bench.layout.show_inspector = true;
   }
   if (letter_pressed('r')) bench.view.edits_ramps = !bench.view.edits_ramps;
   if (letter_pressed('v')) bench.view.tool = MouseTool::view;
@@ -100,16 +102,20 @@ void plain_letters(Workbench& bench) {
 
 }  // namespace
 
+void change_text_size(Workbench& bench, float change) {
+  bench.layout.ui_scale = std::clamp(std::round((text_scale() + change) * 10.0F) / 10.0F, 0.5F, 4.0F);
+}
+
 ShortcutRequests handle_shortcuts(Workbench& bench) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (pressed(GLFW_KEY_F1)) bench.window.keys_page = !bench.window.keys_page;
+  if (pressed(GLFW_KEY_F1)) bench.layout.show_welcome = !bench.layout.show_welcome;
   if (pressed(GLFW_KEY_F11)) bench.requests.toggle_full_screen = true;
   if (pressed(GLFW_KEY_F12)) bench.requests.screenshot = true;
   if (io.KeyCtrl && !io.KeyAlt) return with_control(bench);
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (io.WantTextInput || popup || io.KeyAlt) return {};
   if (pressed(GLFW_KEY_ESCAPE)) step_back(bench);
-  if (pressed(GLFW_KEY_TAB)) toggle_panels(bench.window);
+  if (pressed(GLFW_KEY_TAB)) toggle_panels(bench.layout);
   Comparison& comparison = bench.view.comparison;
   if (pressed(GLFW_KEY_SPACE) && comparison.active) {
     if (comparison.flips) comparison.shows_b = !comparison.shows_b;

@@ -84,10 +84,10 @@ Json pictures_of(const Workbench& bench) {
   return json;
 }
 
-Json window_of(const WindowParams& params) {
+Json layout_of(const WindowLayout& layout) {
   Json json = Json::object();
-  for (const Field& field : WindowParams::description().fields)
-    json[std::string(field.name)] = to_text(field.get(&params));
+  for (const Field& field : WindowLayout::description().fields)
+    json[std::string(field.name)] = to_text(field.get(&layout));
   return json;
 }
 
@@ -101,13 +101,15 @@ Json log_of(const MessageLog& log) {
 
 std::string state_text(const Workbench& bench) {
   Json json{{"scene", bench.scene_name()},
+            {"steps", bench.history().step_names()},
+            {"position", bench.history().position()},
             {"frames", bench.frame_times.frames},
             {"frame_ms", bench.frame_times.mean_ms},
             {"parameters", parameters_of(bench.settings())},
             {"view", view_of(bench.view)},
             {"passes", passes_of(bench)},
             {"pictures", pictures_of(bench)},
-            {"window", window_of(bench.window)},
+            {"layout", layout_of(bench.layout)},
             {"judge", judge_of(bench.judge)},
             {"why", why_of(bench)},
             {"log", log_of(bench.log)}};
