@@ -24,19 +24,27 @@ std::optional<WindowSize> window_size(const std::string& text) {
   return WindowSize{settings.image.width, settings.image.height};
 }
 
+/// What the command line asks for; nothing where it leaves all to the last session.
+std::optional<Settings> start_settings(const AppOptions& options, const fs::path& scene) {
+  if (options.scene.empty() && options.assignments.empty() && options.file.empty() && options.drag.empty())
+    return std::nullopt;
+  Settings settings = load_settings(scene);
+  for (const std::string& assignment : options.assignments) apply_assignment(settings, assignment);
+  if (!options.drag.empty()) find_param(settings, options.drag, "--drag");
+  check_settings(settings);
+  return settings;
+}
+
 void open_window(const AppOptions& options) {
   const fs::path scene =
-      options.scene.empty() ? project_file("data/scenes/paper.toml") : fs::path(options.scene);
-  WindowOptions window{.settings = load_settings(scene),
-                       .scene_name = scene.filename().string(),
+      fs::absolute(options.scene.empty() ? project_file("data/scenes/paper.toml") : fs::path(options.scene));
+  WindowOptions window{.settings = start_settings(options, scene),
+                       .scene = scene,
                        .file = options.file,
                        .size = window_size(options.size),
                        .state_file = options.state_file,
                        .drag_key = options.drag,
                        .drag_frames = options.drag.empty() ? 0 : options.frames};
-  for (const std::string& assignment : options.assignments) apply_assignment(window.settings, assignment);
-  if (!options.drag.empty()) find_param(window.settings, options.drag, "--drag");
-  check_settings(window.settings);
   run_window(window);
 }
 
@@ -45,7 +53,8 @@ void open_window(const AppOptions& options) {
 void add_app_command(CLI::App& app) {
   auto options = std::make_shared<AppOptions>();
   CLI::App* command = app.add_subcommand("app", "Open the window: every buffer side by side, tuned live");
-  command->add_option("--scene", options->scene, "Scene file (TOML); the paper's scene without it");
+  command->add_option("--scene", options->scene,
+                      "Scene file (TOML); without it the last session, at first the paper's scene");
   command
       ->add_option("--set", options->assignments,
                    "KEY=VALUE: set a parameter (`inkbench params` lists them); repeatable")

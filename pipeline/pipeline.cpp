@@ -61,6 +61,19 @@ const Key& key_of(const Settings& settings, const PassKeys& keys, BufferName buf
   return keys.gbuffer;
 }
 
+float gain_of(const DisplayParams& display, BufferName buffer) {
+  switch (buffer) {
+    case BufferName::depth:
+      return display.depth_gain;
+    case BufferName::normal_edges:
+      return display.normal_edges_gain;
+    case BufferName::depth_edges:
+      return display.depth_edges_gain;
+    default:
+      return 1.0F;
+  }
+}
+
 /// The gain and offset that show the range, if one is wanted.
 PictureView with_range(PictureView view, const std::optional<ShownRange>& range) {
   if (!range || view.channel == PictureView::kObjectId) return view;
@@ -222,17 +235,17 @@ const Texture& Pipeline::final(const Settings& settings, const PassKeys& keys) {
 }
 
 Pipeline::View Pipeline::view(const Settings& settings, const PassKeys& k, BufferName buffer) {
-  const DisplayParams& display = settings.display;
+  const float gain = gain_of(settings.display, buffer);
   constexpr int kColour = PictureView::kColour;
   switch (buffer) {
     case BufferName::normal:
       return {&maps(settings, k), 0, 3, {1.0F, kColour}};
     case BufferName::depth:
-      return {&maps(settings, k), 3, 1, {display.depth_gain, 3}};
+      return {&maps(settings, k), 3, 1, {gain, 3}};
     case BufferName::normal_edges:
-      return {&gradient(settings, k), 1, 1, {display.normal_edges_gain, 1}};
+      return {&gradient(settings, k), 1, 1, {gain, 1}};
     case BufferName::depth_edges:
-      return {&gradient(settings, k), 0, 1, {display.depth_edges_gain, 0}};
+      return {&gradient(settings, k), 0, 1, {gain, 0}};
     case BufferName::combined_edges:
       return {&combined(settings, k), 0, 1, {1.0F, 0}};
     case BufferName::shaded:
@@ -284,11 +297,20 @@ Image Pipeline::raw(const Settings& settings, BufferName buffer) {
   return image;
 }
 
-Image Pipeline::pixel(const Settings& settings, BufferName buffer, int x, int y) {
+Image Pipeline::raw_part(const Settings& settings, BufferName buffer, int x, int y, int width_px,
+                         int height_px) {
   const View shown = view(settings, keys(settings), buffer);
-  Image image = shown.texture->read_pixel(x, y, shown.first_channel, shown.channels);
+  Image image = shown.texture->read_part(x, y, width_px, height_px, shown.first_channel, shown.channels);
   throw_gl_errors(std::string(name_of(buffer)));
   return image;
+}
+
+Image Pipeline::pixel(const Settings& settings, BufferName buffer, int x, int y) {
+  return raw_part(settings, buffer, x, y, 1, 1);
+}
+
+ShownRange Pipeline::gain_range(const Settings& settings, BufferName buffer) {
+  return {0.0F, 1.0F / gain_of(settings.display, buffer)};
 }
 
 void Pipeline::forget_results() {

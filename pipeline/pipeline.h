@@ -71,8 +71,14 @@ class Pipeline {
   /// blinn_phong, else H x W x 1. Errors as `picture`.
   Image raw(const Settings& settings, BufferName buffer);
 
-  /// The raw values of one pixel, 1 x 1; row 0 on top. Errors as `picture`.
+  /// The raw values of a rectangle inside the image; (0, 0) is the top left pixel. Errors as `picture`.
+  Image raw_part(const Settings& settings, BufferName buffer, int x, int y, int width_px, int height_px);
+
+  /// The same of one pixel.
   Image pixel(const Settings& settings, BufferName buffer, int x, int y);
+
+  /// What the display gains show as black and as white.
+  static ShownRange gain_range(const Settings& settings, BufferName buffer);
 
   /// Computes the buffer without reading it back.
   void draw(const Settings& settings, BufferName buffer);

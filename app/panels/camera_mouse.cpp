@@ -2,16 +2,14 @@
 
 #include <imgui.h>
 
-#include <cmath>
+#include <glm/vec2.hpp>
 
-#include "app/window/camera_moves.h"
+#include "app/workbench/camera_control.h"
 
 namespace inkbench {
 namespace {
 
-constexpr double kDegreesPerPixel = 0.4;
-constexpr double kWheelFactor = 0.88;
-constexpr double kDragFactor = 0.994;  // a pixel
+constexpr double kDragStepsPerPixel = 0.05;
 
 void set_camera(Workbench& bench, const CameraParams& camera) {
   Settings next = bench.settings();
@@ -19,19 +17,35 @@ void set_camera(Workbench& bench, const CameraParams& camera) {
   bench.replace(next);
 }
 
-void move_camera(Workbench& bench, const TileFrame& frame) {
+/// The shown picture as the camera's functions see it: at its size in the window.
+struct ShownImage {
+  ViewSize size;
+  glm::vec2 mouse, before;
+};
+
+ShownImage shown_image(const Workbench& bench, const TileFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const ImVec2 delta = io.MouseDelta;
-  if (delta.x == 0.0F && delta.y == 0.0F) return;
+  const auto scale = static_cast<float>(magnification(bench.view, frame));
+  const auto at = [&](float x, float y) {
+    const PicturePoint point = point_under(bench.view, frame, x, y);
+    return glm::vec2(point.x * scale, point.y * scale);
+  };
+  return {{static_cast<float>(frame.picture_width) * scale, static_cast<float>(frame.picture_height) * scale},
+          at(io.MousePos.x, io.MousePos.y),
+          at(io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y)};
+}
+
+void drag_camera(Workbench& bench, const TileFrame& frame) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MouseDelta.x == 0.0F && io.MouseDelta.y == 0.0F) return;
   const CameraParams& camera = bench.settings().camera;
-  const bool pans = ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift;
+  const ShownImage image = shown_image(bench, frame);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-    set_camera(bench, dollied(camera, std::pow(kDragFactor, static_cast<double>(delta.x - delta.y))));
-  } else if (pans) {
-    const double height_px = frame.picture_height * magnification(bench.view, frame);
-    set_camera(bench, panned(camera, delta.x / height_px, delta.y / height_px));
+    set_camera(bench, dolly(camera, kDragStepsPerPixel * (io.MouseDelta.x - io.MouseDelta.y)));
+  } else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift) {
+    set_camera(bench, pan(camera, image.before, image.mouse, image.size));
   } else {
-    set_camera(bench, orbited(camera, -delta.x * kDegreesPerPixel, delta.y * kDegreesPerPixel));
+    set_camera(bench, orbit_drag(camera, image.before, image.mouse, image.size));
   }
 }
 
@@ -50,9 +64,10 @@ bool camera_mouse(Workbench& bench, const TileFrame& frame) {
     bench.view.camera_moving = true;
     bench.begin_edit();
   }
-  if (ImGui::IsItemActive() && bench.view.camera_moving) move_camera(bench, frame);
+  if (ImGui::IsItemActive() && bench.view.camera_moving) drag_camera(bench, frame);
   if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F)
-    set_camera(bench, dollied(bench.settings().camera, std::pow(kWheelFactor, io.MouseWheel)));
+    set_camera(bench, dolly_at(bench.settings().camera, io.MouseWheel, shown_image(bench, frame).mouse,
+                               shown_image(bench, frame).size));
   return true;
 }
 

@@ -5,7 +5,9 @@
 
 #include <array>
 
+#include "app/panels/histogram_view.h"
 #include "app/panels/value_bar.h"
+#include "app/panels/why_view.h"
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
@@ -33,6 +35,7 @@ std::string values_text(const Image& pixel) {
   return fmt::format("{:.3f} {:.3f} {:.3f}", pixel.at(0, 0, 0), pixel.at(0, 0, 1), pixel.at(0, 0, 2));
 }
 
+/// How the buffer is shown.
 void draw_choice(Workbench& bench, BufferName buffer) {
   PictureChoice& choice = bench.pictures.choice(buffer);
   constexpr std::array kKinds{"With the display gains", "Fitted: smallest to largest", "Between two values"};
@@ -41,27 +44,19 @@ void draw_choice(Workbench& bench, BufferName buffer) {
     for (size_t i = 0; i < kKinds.size(); ++i) {
       const auto kind = static_cast<PictureChoice::Kind>(i);
       if (!ImGui::Selectable(kKinds[i], choice.kind == kind)) continue;
-      const ShownPicture& shown = bench.pictures.shown(buffer, false);
-      if (kind == PictureChoice::Kind::fixed && shown.range) choice.fixed = *shown.range;
+      if (kind == PictureChoice::Kind::fixed) choice.fixed = shown_range(bench, buffer);
       choice.kind = kind;
     }
     ImGui::EndCombo();
   }
   bench.ui_map.mark_item("picture choice");
-  if (choice.kind != PictureChoice::Kind::fixed) return;
-  const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-  for (const auto& [label, value] :
-       {std::pair{"##black", &choice.fixed.black}, {"##white", &choice.fixed.white}}) {
-    ImGui::SetNextItemWidth(width);
-    ImGui::InputFloat(label, value, 0, 0, "%.5g");
-    ImGui::SameLine();
-  }
-  ImGui::NewLine();
-  faint_text("black and white");
 }
 
-void draw_buffer(Workbench& bench) {
-  const BufferName buffer = bench.view.filled.value_or(bench.view.selected);
+bool has_values(BufferName buffer) {
+  return buffer != BufferName::object_id && buffer != BufferName::reference;
+}
+
+void draw_buffer(Workbench& bench, BufferName buffer) {
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted(name_of(buffer).data());
   ImGui::PopFont();
@@ -72,8 +67,7 @@ void draw_buffer(Workbench& bench) {
   if (shown.texture != nullptr)
     faint_text(fmt::format("{} × {} px", shown.texture->width_px(), shown.texture->height_px()));
   ImGui::Dummy({0, scaled(2)});
-  const bool has_range = buffer != BufferName::object_id && buffer != BufferName::reference;
-  if (has_range) draw_choice(bench, buffer);
+  if (has_values(buffer)) draw_choice(bench, buffer);
 }
 
 void value_row(Workbench& bench, BufferName buffer, const HoveredPixel& pixel) {
@@ -81,11 +75,12 @@ void value_row(Workbench& bench, BufferName buffer, const HoveredPixel& pixel) {
   ImGui::TableNextColumn();
   coloured_text(buffer == pixel.picture.buffer ? theme().text : theme().faint, name_of(buffer));
   ImGui::TableNextColumn();
-  const ImageParams& image = bench.settings().image;
-  if (pixel.x >= image.width || pixel.y >= image.height) return;
+  // Those that are drawn, not those that this frame's mouse made: reading must not run a pass.
+  const std::optional<Settings>& settings = bench.drawn_settings();
+  if (!settings || pixel.x >= settings->image.width || pixel.y >= settings->image.height) return;
   try {
     ImGui::TextUnformatted(
-        values_text(bench.pictures.pipeline().pixel(bench.settings(), buffer, pixel.x, pixel.y)).c_str());
+        values_text(bench.pictures.pipeline().pixel(*settings, buffer, pixel.x, pixel.y)).c_str());
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }
@@ -105,24 +100,47 @@ void draw_values(Workbench& bench, const HoveredPixel& pixel) {
 
 }  // namespace
 
-void InspectorPanel::draw(Workbench& bench) {
-  panel_heading("Inspector");
-  draw_buffer(bench);
-  ImGui::Dummy({0, scaled(6)});
+namespace {
+
+void divide() {
+  ImGui::Dummy({0, scaled(4)});
   ImGui::Separator();
   ImGui::Dummy({0, scaled(2)});
+}
+
+}  // namespace
+
+void InspectorPanel::draw_pixel(Workbench& bench) {
   if (bench.view.hovered && !bench.view.hovered->picture.pinned) pixel_ = bench.view.hovered;
-  if (!pixel_) {
+  std::optional<HoveredPixel> pixel = pixel_;
+  if (!bench.view.hovered && bench.view.marked)
+    pixel = HoveredPixel{{bench.view.selected, false}, bench.view.marked->x, bench.view.marked->y};
+  if (!pixel) {
     ImGui::PushTextWrapPos(0);
     faint_text("Move the mouse over a picture to read the value of every buffer there.");
     ImGui::PopTextWrapPos();
     return;
   }
   ImGui::PushFont(fonts().bold);
-  ImGui::Text("Pixel %d, %d", pixel_->x, pixel_->y);
+  ImGui::Text("Pixel %d, %d", pixel->x, pixel->y);
   ImGui::PopFont();
+  draw_values(bench, *pixel);
+}
+
+void InspectorPanel::draw(Workbench& bench) {
   const bool can_draw = !bench.problems().contains(ProblemKind::drawing);
-  if (can_draw) draw_values(bench, *pixel_);
+  const BufferName selected = bench.view.filled.value_or(bench.view.selected);
+  if (bench.view.marked) {
+    draw_why(bench);
+    divide();
+  }
+  draw_buffer(bench, selected);
+  if (can_draw && has_values(selected)) histogram_.draw(bench, selected);
+  divide();
+  if (can_draw) draw_pixel(bench);
+  if (bench.view.marked) return;
+  divide();
+  draw_why(bench);
 }
 
 }  // namespace inkbench

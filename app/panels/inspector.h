@@ -2,6 +2,7 @@
 // mouse.
 #pragma once
 
+#include "app/panels/histogram_view.h"
 #include "app/window/workbench.h"
 
 namespace inkbench {
@@ -11,6 +12,9 @@ class InspectorPanel {
   void draw(Workbench& bench);
 
  private:
+  void draw_pixel(Workbench& bench);
+
+  HistogramView histogram_;
   std::optional<HoveredPixel> pixel_;  ///< The last one under the mouse.
 };
 

@@ -24,6 +24,10 @@ constexpr std::array kPictures{
     Entry{"Esc", "back to all"},
     Entry{"F, Z", "fit; one to one"},
     Entry{"C, Space", "compare two; flip between them"},
+    Entry{"Click", "why a pixel is a line or not"},
+    Entry{"Arrows, Esc", "move that pixel, with Shift by ten; forget it"},
+    Entry{"L", "reference lines, right and wrong ones, none"},
+    Entry{"J", "judge the lines; back to the inspector"},
     Entry{"P", "pin this state to compare with"},
 };
 
@@ -31,6 +35,7 @@ constexpr std::array kParameters{
     Entry{"Drag", "set; with Shift finer"},
     Entry{"Ctrl+click", "type a number"},
     Entry{"Right click", "reset to the scene's value"},
+    Entry{"R", "edit the ramps; Delete removes a stop"},
     Entry{"Ctrl+F", "search parameters"},
 };
 
@@ -43,6 +48,7 @@ constexpr std::array kCamera{
 
 constexpr std::array kWindow{
     Entry{"Tab", "pictures alone; again for all panels"},
+    Entry{"Ctrl+Z, Ctrl+Y", "undo; redo"},
     Entry{"F11, F12", "full screen; save a screenshot"},
     Entry{"Ctrl+O, Ctrl+Q", "open a file; quit"},
     Entry{"F1", "this page"},
@@ -72,7 +78,7 @@ void draw_list(const char* title, const std::array<Entry, kCount>& entries) {
 
 void draw_columns() {
   const float width = (ImGui::GetContentRegionAvail().x - scaled(24)) / 2;
-  const float height = scaled(320);
+  const float height = scaled(350);
   ImGui::BeginChild("left", {width, height});
   draw_list("Pictures", kPictures);
   draw_list("Window", kWindow);
@@ -87,7 +93,7 @@ void draw_columns() {
 }  // namespace
 
 void draw_keys_page(Workbench& bench) {
-  if (!bench.window.keys_page) return;
+  if (!bench.layout.show_welcome) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(screen);
@@ -95,7 +101,7 @@ void draw_keys_page(Workbench& bench) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 110));
   ImGui::Begin("behind the keys", nullptr, kFlags);
   if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-    bench.window.keys_page = false;
+    bench.layout.show_welcome = false;
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::SetNextWindowFocus();
@@ -112,7 +118,7 @@ void draw_keys_page(Workbench& bench) {
   faint_text("Every number has a slider on the left; every picture follows at once.");
   ImGui::Dummy({0, scaled(8)});
   draw_columns();
-  if (ImGui::Button("Start", {scaled(110), 0})) bench.window.keys_page = false;
+  if (ImGui::Button("Start", {scaled(110), 0})) bench.layout.show_welcome = false;
   bench.ui_map.mark_item("start");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();

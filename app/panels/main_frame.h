@@ -1,10 +1,11 @@
 // The whole window: where the panels are, the dividers between them, and each panel's turn.
 #pragma once
 
-#include "app/panels/inspector.h"
 #include "app/panels/log.h"
 #include "app/panels/menu_bar.h"
 #include "app/panels/parameters.h"
+#include "app/panels/ramp_editor.h"
+#include "app/panels/side_panel.h"
 #include "app/panels/studies_page.h"
 #include "app/window/workbench.h"
 
@@ -23,9 +24,10 @@ class MainFrame {
 
   MenuBar menu_bar_;
   ParametersPanel parameters_;
-  InspectorPanel inspector_;
+  SidePanel side_panel_;
   LogPanel log_;
   StudiesPage studies_;
+  RampEditor ramp_editor_;
 };
 
 }  // namespace inkbench

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/panels/shortcuts.h"
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
@@ -54,19 +55,32 @@ void MenuBar::file_menu(Workbench& bench) {
 }
 
 void MenuBar::view_menu(Workbench& bench) {
-  WindowParams& window = bench.window;
+  WindowLayout& layout = bench.layout;
   const bool open = ImGui::BeginMenu("View");
   bench.ui_map.mark_item("menu:View");
   if (!open) return;
-  if (item(bench, "Parameters", nullptr, window.show_left)) window.show_left = !window.show_left;
-  if (item(bench, "Inspector", nullptr, window.show_right)) window.show_right = !window.show_right;
-  if (item(bench, "Timings and log", nullptr, window.show_bottom)) window.show_bottom = !window.show_bottom;
+  const auto panel = [&](const char* label, bool& shown) {
+    if (item(bench, label, nullptr, shown)) shown = !shown;
+  };
+  panel("Parameters", layout.show_parameters);
+  panel("Inspector", layout.show_inspector);
+  panel("Timings", layout.show_timings);
+  panel("Log", layout.show_log);
+  if (item(bench, "Ramp editor", "R", bench.view.edits_ramps))
+    bench.view.edits_ramps = !bench.view.edits_ramps;
   ImGui::Separator();
-  if (item(bench, "Dark", nullptr, window.theme == ThemeName::dark)) window.theme = ThemeName::dark;
-  if (item(bench, "Light", nullptr, window.theme == ThemeName::light)) window.theme = ThemeName::light;
+  ViewState& view = bench.view;
+  if (item(bench, "Pictures as they are", "L", view.overlay == Overlay::none)) view.overlay = Overlay::none;
+  if (item(bench, "Reference lines over them", "L", view.overlay == Overlay::reference))
+    view.overlay = Overlay::reference;
+  if (item(bench, "Right and wrong lines", "L", view.overlay == Overlay::matches))
+    view.overlay = Overlay::matches;
   ImGui::Separator();
-  if (item(bench, "Larger text", "Ctrl++")) window.zoom = std::min(window.zoom + 0.1F, 3.0F);
-  if (item(bench, "Smaller text", "Ctrl+-")) window.zoom = std::max(window.zoom - 0.1F, 0.5F);
+  if (item(bench, "Dark", nullptr, layout.theme == Theme::dark)) layout.theme = Theme::dark;
+  if (item(bench, "Light", nullptr, layout.theme == Theme::light)) layout.theme = Theme::light;
+  ImGui::Separator();
+  if (item(bench, "Larger text", "Ctrl++")) change_text_size(bench, 0.1F);
+  if (item(bench, "Smaller text", "Ctrl+-")) change_text_size(bench, -0.1F);
   ImGui::Separator();
   if (item(bench, "Full screen", "F11")) bench.requests.toggle_full_screen = true;
   if (item(bench, "Save a screenshot", "F12")) bench.requests.screenshot = true;
@@ -107,7 +121,7 @@ void MenuBar::draw(Workbench& bench) {
     const bool help = ImGui::BeginMenu("Help");
     bench.ui_map.mark_item("menu:Help");
     if (help) {
-      if (item(bench, "Keys and mouse", "F1")) bench.window.keys_page = true;
+      if (item(bench, "Keys and mouse", "F1")) bench.layout.show_welcome = true;
       ImGui::EndMenu();
     }
     ImGui::EndMainMenuBar();

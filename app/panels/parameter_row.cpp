@@ -110,11 +110,14 @@ void text_editor(Workbench& bench, const RowContext& row, float width) {
 }
 
 /// The ramp's colours from 0 to 1; an image's are not read here.
-void ramp_strip(const RowContext& row, float width) {
+void ramp_strip(Workbench& bench, const RowContext& row, float width) {
   const auto& ramp = std::get<Ramp>(row.value);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
-  ImGui::InvisibleButton("ramp", {width, height});
+  if (ImGui::InvisibleButton("ramp", {width, height})) bench.view.edits_ramps = true;
+  bench.ui_map.mark_item("strip:" + row.key);
+  const bool hot = ImGui::IsItemHovered();
+  if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (!ramp.image.empty()) {
     list.AddRectFilled(low, {low.x + width, low.y + height}, ImGui::GetColorU32(theme().field));
@@ -127,7 +130,7 @@ void ramp_strip(const RowContext& row, float width) {
                          ImGui::GetColorU32(ImVec4(c.x, c.y, c.z, 1)));
     }
   }
-  list.AddRect(low, {low.x + width, low.y + height}, theme().line);
+  list.AddRect(low, {low.x + width, low.y + height}, hot ? theme().accent : theme().line);
   help_for_parameter(row);
 }
 
@@ -147,7 +150,7 @@ void editor(Workbench& bench, const RowContext& row, float width) {
     case FieldType::text:
       return text_editor(bench, row, width);
     case FieldType::ramp:
-      return ramp_strip(row, width);
+      return ramp_strip(bench, row, width);
   }
 }
 

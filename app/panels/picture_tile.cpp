@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/panels/camera_mouse.h"
+#include "app/panels/mark.h"
 #include "app/window/theme.h"
 
 namespace inkbench {
@@ -32,6 +33,15 @@ void move_view(Workbench& bench, const TileFrame& frame, bool dragging) {
   if (dragging) pan_by(bench.view, frame, io.MouseDelta.x, io.MouseDelta.y);
 }
 
+/// Pinned pictures and the lines themselves have none; one of another size is of settings a moment ago.
+TileOverlay overlay_for(Workbench& bench, const ComparedPicture& which, const Texture& picture) {
+  if (which.pinned || which.buffer == BufferName::reference) return {};
+  const TileOverlay overlay = bench.judge.overlay(bench.view.overlay);
+  const bool fits = overlay.texture != nullptr && overlay.texture->width_px() == picture.width_px() &&
+                    overlay.texture->height_px() == picture.height_px();
+  return fits ? overlay : TileOverlay{};
+}
+
 }  // namespace
 
 TileFrame frame_of(const Workbench& bench, const ComparedPicture& which, const TileRect& rect) {
@@ -56,11 +66,13 @@ void draw_picture(Workbench& bench, const std::string& slot, const ComparedPictu
   bench.view.magnification = magnification(bench.view, frame);
   const PicturePoint corner = point_under(bench.view, frame, frame.left, frame.top);
   const TilePlace place{corner.x, corner.y, 1.0 / magnification(bench.view, frame)};
-  const Texture& tile = bench.tiles.paint(slot, *shown.texture, shown.key, place, width, height);
+  const Texture& tile = bench.tiles.paint(slot, *shown.texture, shown.key, place, width, height,
+                                          overlay_for(bench, which, *shown.texture));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(clip.low, clip.high, true);
   list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(tile.id())), rect.low, rect.high, {0, 1},
                 {1, 0});
+  draw_mark(bench, frame);
   list.PopClipRect();
 }
 
@@ -74,6 +86,7 @@ TileMouse handle_tile_mouse(Workbench& bench, const std::string& id, const Compa
   const TileFrame frame = frame_of(bench, which, rect);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) remember_hover(bench, which, frame);
+  mark_with_mouse(bench, frame);
   if (!which.pinned && camera_mouse(bench, frame)) return {hovered};
   const bool held = ImGui::IsItemActive();
   const bool dragging = held && (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0F) ||

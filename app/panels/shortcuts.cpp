@@ -4,8 +4,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/comparison.h"
+#include "app/panels/mark.h"
+#include "app/panels/overlay_legend.h"
+#include "app/window/theme.h"
 
 namespace inkbench {
 namespace {
@@ -14,17 +18,17 @@ bool pressed(int key) {
   return ImGui::IsKeyPressed(key, false);
 }
 
-void set_zoom(Workbench& bench, float change) {
-  bench.window.zoom = std::clamp(bench.window.zoom + change, 0.5F, 3.0F);
-}
-
 ShortcutRequests with_control(Workbench& bench) {
   ShortcutRequests requests;
   requests.search = letter_pressed('f');
   requests.open = letter_pressed('o');
   if (letter_pressed('q')) bench.requests.close = true;
-  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) set_zoom(bench, 0.1F);
-  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) set_zoom(bench, -0.1F);
+  const bool shift = ImGui::GetIO().KeyShift;
+  const bool in_text = ImGui::GetIO().WantTextInput;
+  if (letter_pressed('z') && !in_text) shift ? bench.redo() : bench.undo();
+  if (letter_pressed('y') && !in_text) bench.redo();
+  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) change_text_size(bench, 0.1F);
+  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) change_text_size(bench, -0.1F);
   return requests;
 }
 
@@ -42,10 +46,12 @@ void fill_by_number(Workbench& bench) {
 
 /// One step back towards the sheet of all buffers.
 void step_back(Workbench& bench) {
-  if (bench.window.keys_page) {
-    bench.window.keys_page = false;
+  if (bench.layout.show_welcome) {
+    bench.layout.show_welcome = false;
   } else if (bench.studies.page_open) {
     bench.studies.page_open = false;
+  } else if (bench.view.marked) {
+    bench.view.marked.reset();
   } else if (bench.view.comparison.active) {
     bench.view.comparison.active = false;
   } else {
@@ -53,9 +59,18 @@ void step_back(Workbench& bench) {
   }
 }
 
-void toggle_panels(WindowParams& window) {
-  const bool any = window.show_left || window.show_right || window.show_bottom;
-  window.show_left = window.show_right = window.show_bottom = !any;
+void toggle_panels(WindowLayout& layout) {
+  const bool any = layout.show_parameters || layout.show_inspector || layout.show_timings || layout.show_log;
+  layout.show_parameters = layout.show_inspector = layout.show_timings = layout.show_log = !any;
+}
+
+/// The arrow keys, again and again while they are held; ten pixels with Shift.
+void move_mark_by_keys(Workbench& bench) {
+  const int step = ImGui::GetIO().KeyShift ? 10 : 1;
+  const auto held = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
+  const int dx = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
+  const int dy = held(GLFW_KEY_DOWN) - held(GLFW_KEY_UP);
+  if (dx != 0 || dy != 0) move_mark(bench, dx * step, dy * step);
 }
 
 void plain_letters(Workbench& bench) {
@@ -63,6 +78,13 @@ void plain_letters(Workbench& bench) {
   if (letter_pressed('z')) bench.view.wanted_magnification = 1.0;
   if (letter_pressed('c')) toggle_comparison(bench);
   if (letter_pressed('p')) bench.pin();
+  if (letter_pressed('l')) next_overlay(bench);
+  if (letter_pressed('j')) {
+    const bool on = bench.layout.show_inspector && bench.view.side_page == SidePage::judge;
+    bench.view.side_page = on ? SidePage::inspector : SidePage::judge;
+    bench.layout.show_inspector = true;
+  }
+  if (letter_pressed('r')) bench.view.edits_ramps = !bench.view.edits_ramps;
   if (letter_pressed('v')) bench.view.tool = MouseTool::view;
   if (letter_pressed('o')) bench.view.tool = MouseTool::camera;
 }
@@ -81,9 +103,13 @@ bool letter_pressed(char letter) {
   return false;
 }
 
+void change_text_size(Workbench& bench, float change) {
+  bench.layout.ui_scale = std::clamp(std::round((text_scale() + change) * 10.0F) / 10.0F, 0.5F, 4.0F);
+}
+
 ShortcutRequests handle_shortcuts(Workbench& bench) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (pressed(GLFW_KEY_F1)) bench.window.keys_page = !bench.window.keys_page;
+  if (pressed(GLFW_KEY_F1)) bench.layout.show_welcome = !bench.layout.show_welcome;
   if (pressed(GLFW_KEY_F3)) bench.studies.page_open = !bench.studies.page_open;
   if (pressed(GLFW_KEY_F11)) bench.requests.toggle_full_screen = true;
   if (pressed(GLFW_KEY_F12)) bench.requests.screenshot = true;
@@ -91,13 +117,14 @@ ShortcutRequests handle_shortcuts(Workbench& bench) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (io.WantTextInput || popup || io.KeyAlt) return {};
   if (pressed(GLFW_KEY_ESCAPE)) step_back(bench);
-  if (pressed(GLFW_KEY_TAB)) toggle_panels(bench.window);
+  if (pressed(GLFW_KEY_TAB)) toggle_panels(bench.layout);
   Comparison& comparison = bench.view.comparison;
   if (pressed(GLFW_KEY_SPACE) && comparison.active) {
     if (comparison.flips) comparison.shows_b = !comparison.shows_b;
     comparison.flips = true;
   }
   fill_by_number(bench);
+  move_mark_by_keys(bench);
   plain_letters(bench);
   return {};
 }

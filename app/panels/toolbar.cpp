@@ -25,7 +25,7 @@ void buffers_menu(Workbench& bench) {
     bench.ui_map.mark_item("list:" + std::string(name_of(buffer)));
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("All")) bench.window.hidden_buffers.clear();
+  if (ImGui::MenuItem("All")) bench.layout.hidden_buffers.clear();
   ImGui::EndPopup();
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cfloat>
 #include <cstdlib>
 
 #include "app/window/gui.h"
@@ -89,6 +90,49 @@ void panel_heading(std::string_view text) {
                begin_of(text), end_of(text));
   list.PopClipRect();
   ImGui::SetCursorScreenPos({low.x + ImGui::GetStyle().WindowPadding.x, high.y + scaled(7)});
+}
+
+void heading_tabs(UiMap& map, std::span<const char* const> names, size_t& chosen) {
+  panel_heading("");
+  const ImVec2 back = ImGui::GetCursorScreenPos();
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const float height = ImGui::GetFrameHeight() + scaled(2);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(corner, {corner.x + ImGui::GetWindowWidth(), corner.y + height}, false);
+  float x = corner.x + scaled(10);
+  for (size_t i = 0; i < names.size(); ++i) {
+    const float width = fonts().bold->CalcTextSizeA(ImGui::GetFontSize(), FLT_MAX, 0, names[i]).x;
+    ImGui::SetCursorScreenPos({x, corner.y});
+    if (ImGui::InvisibleButton(names[i], {width, height})) chosen = i;
+    map.mark_item(std::string("tab:") + names[i]);
+    const bool bright = i == chosen || ImGui::IsItemHovered();
+    list.AddText(fonts().bold, ImGui::GetFontSize(), {x, corner.y + (height - ImGui::GetFontSize()) / 2},
+                 bright ? theme().text : theme().faint, names[i]);
+    if (i == chosen)
+      list.AddRectFilled({x, corner.y + height - scaled(2)}, {x + width, corner.y + height}, theme().accent);
+    x += width + scaled(18);
+  }
+  list.PopClipRect();
+  ImGui::SetCursorScreenPos(back);
+}
+
+bool close_button(const char* id) {
+  const ImVec2 back = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight() + scaled(2);
+  const ImVec2 low{ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - height - scaled(4),
+                   ImGui::GetWindowPos().y};
+  ImGui::SetCursorScreenPos(low);
+  const bool pressed = ImGui::InvisibleButton(id, {height, height});
+  const ImU32 colour = ImGui::IsItemHovered() ? theme().text : theme().faint;
+  const ImVec2 middle{low.x + height / 2, low.y + height / 2};
+  const float r = scaled(4);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(low, {low.x + height, low.y + height}, false);
+  list.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, colour, scaled(1.5F));
+  list.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, colour, scaled(1.5F));
+  list.PopClipRect();
+  ImGui::SetCursorScreenPos(back);
+  return pressed;
 }
 
 void help_for_item(std::string_view text) {

@@ -3,8 +3,11 @@
 
 #include <imgui.h>
 
+#include <span>
 #include <string>
 #include <string_view>
+
+#include "app/window/ui_map.h"
 
 namespace inkbench {
 
@@ -27,6 +30,12 @@ std::string short_number(const std::string& text);
 
 /// A heading across a panel.
 void panel_heading(std::string_view text);
+
+/// The same with several names of which one is chosen, each an item `tab:NAME` of the map.
+void heading_tabs(UiMap& map, std::span<const char* const> names, size_t& chosen);
+
+/// A cross at the right end of the panel's heading; after `panel_heading`.
+bool close_button(const char* id);
 
 /// A tooltip for the last item, which wraps long lines.
 void help_for_item(std::string_view text);

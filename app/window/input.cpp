@@ -13,6 +13,10 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
+bool is_modifier(int key) {
+  return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+}
+
 bool makes_text(int key) {
   return key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2;
 }
@@ -109,6 +113,7 @@ bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
       return true;
     case Kind::key:
       if (frame.buttons.any() || frame.scrolled || frame.keys.contains(event.code)) return false;
+      if (is_modifier(event.code) && !frame.keys.empty()) return false;  // it was held for those keys, or not
       frame.keys.insert(event.code);
       frame.other_keys |= !makes_text(event.code);
       ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.mods);

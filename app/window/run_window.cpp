@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 #include <limits>
 
@@ -15,9 +14,13 @@
 #include "app/window/gui.h"
 #include "app/window/state_file.h"
 #include "app/window/workbench.h"
+#include "app/workbench/param_changes.h"
+#include "app/workbench/session_store.h"
+#include "app/workbench/user_folder.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
-#include "pipeline/export.h"
+#include "pipeline/image/image_file.h"
+#include "pipeline/scene/settings_file.h"
 
 namespace inkbench {
 namespace {
@@ -27,13 +30,6 @@ constexpr double kPollSeconds = 0.5;
 /// Frames after something happened: ImGui needs one more than the event's to settle (hover, popups' sizes).
 constexpr int kSettleFrames = 3;
 constexpr double kNewestShare = 0.2;
-
-std::filesystem::path window_params_path() {
-  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && config[0] == '/')
-    return std::filesystem::path(config) / "inkbench/window.toml";
-  const char* home = std::getenv("HOME");
-  return std::filesystem::path(home == nullptr ? "." : home) / ".config/inkbench/window.toml";
-}
 
 /// What the window looks like, row 0 on top.
 Picture read_window(WindowSize size) {
@@ -58,14 +54,13 @@ std::string screenshot_name() {
   return text.data();
 }
 
-class Session {
+class WindowLoop {
  public:
-  explicit Session(const WindowOptions& options);
+  explicit WindowLoop(const WindowOptions& options);
   void run();
 
  private:
-  void load_window_state();
-  void save_window_state();
+  void save_session(bool at_end);
   void wait();
   void draw_frame();
   void build_frame();
@@ -76,7 +71,8 @@ class Session {
   bool is_dragging_itself() const { return drag_frame_ < options_.drag_frames; }
 
   const WindowOptions& options_;
-  WindowParams start_params_;
+  SessionStore store_;
+  Session start_;
   Window window_;
   InputQueue input_;
   Gui gui_;
@@ -90,50 +86,61 @@ class Session {
   bool failed_frame_ = false;
 };
 
-/// What was remembered; where that cannot be read, why is told in the window's log.
-WindowParams remembered_params(std::string& problem) {
+/// What to start with: the last session, with what the command line says instead of its settings.
+Session start_session(const WindowOptions& options, SessionStore& store) {
+  Session session = store.load();
+  if (options.settings) {
+    session.settings = *options.settings;
+    session.scene = options.scene;
+  }
+  if (options.size) {
+    session.layout.width_px = options.size->width_px;
+    session.layout.height_px = options.size->height_px;
+  }
+  return session;
+}
+
+/// The settings as the scene's file gives them, where it still has their models and lights.
+Settings baseline_of(const Session& session) {
   try {
-    return load_window_params(window_params_path());
-  } catch (const Error& error) {
-    problem = error.what();
-    return {};
+    if (session.scene.empty()) return session.settings;
+    Settings baseline = load_settings(session.scene);
+    return same_structure(baseline, session.settings) ? baseline : session.settings;
+  } catch (const Error&) {
+    return session.settings;  // a scene that broke since is told when it is opened
   }
 }
 
-WindowSize start_size(const WindowOptions& options, const WindowParams& params) {
-  return options.size.value_or(WindowSize{params.width, params.height});
-}
-
-std::string& params_problem() {
-  static std::string text;
-  return text;
-}
-
-Session::Session(const WindowOptions& options)
+WindowLoop::WindowLoop(const WindowOptions& options)
     : options_(options),
-      start_params_(remembered_params(params_problem())),
-      window_("inkbench", start_size(options, start_params_)),
+      store_(user_folder()),
+      start_(start_session(options, store_)),
+      window_("inkbench", {start_.layout.width_px, start_.layout.height_px}),
       input_(window_.handle()),
       gui_(window_, input_),
-      bench_(options.settings, options.scene_name) {
-  bench_.window = start_params_;
-  if (!params_problem().empty()) bench_.tell(Severity::warning, params_problem());
+      bench_(start_, baseline_of(start_)) {
+  for (const std::string& note : store_.notes()) bench_.tell(Severity::warning, note);
   if (!options.state_file.empty()) bench_.ui_map.enable();
   if (!options.file.empty()) bench_.open(options.file);
-  if (is_dragging_itself()) bench_.window.keys_page = false;
+  if (is_dragging_itself()) bench_.layout.show_welcome = false;
 }
 
-void Session::save_window_state() {
-  if (is_dragging_itself() || options_.drag_frames > 0) return;
+/// Now and then, and at the end: what is to come back at the next start.
+void WindowLoop::save_session(bool at_end) {
+  if (options_.drag_frames > 0) return;
   try {
-    save_window_params(window_params_path(), bench_.window);
+    if (at_end) {
+      store_.close(bench_.session());
+    } else if (!bench_.is_editing()) {
+      store_.autosave(bench_.session());
+    }
   } catch (const Error& error) {
     bench_.tell(Severity::warning, error.what());
   }
 }
 
 /// Sleeps until there is something to do; sets how many frames that takes.
-void Session::wait() {
+void WindowLoop::wait() {
   const double now = seconds_now();
   wake_at_ = std::min(wake_at_, now + bench_.take_wake_seconds());
   const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
@@ -147,22 +154,24 @@ void Session::wait() {
     frames_wanted_ = std::max(frames_wanted_, 1);
     wake_at_ = kNever;
   }
+  if (bench_.judge.take_news()) frames_wanted_ = std::max(frames_wanted_, 2);
   if (seconds_now() >= next_poll_) {
     if (bench_.poll_files()) frames_wanted_ = std::max(frames_wanted_, 2);
+    save_session(false);
     next_poll_ = seconds_now() + kPollSeconds;
   }
 }
 
-void Session::build_frame() {
+void WindowLoop::build_frame() {
   for (const std::string& path : input_.take_dropped()) bench_.open(path);
   bench_.ui_map.begin_frame();
   bench_.refresh();
   frame_.draw(bench_);
 }
 
-void Session::draw_frame() {
+void WindowLoop::draw_frame() {
   const auto start = std::chrono::steady_clock::now();
-  gui_.set_look(bench_.window.theme, bench_.window.zoom);
+  gui_.set_look(bench_.layout.theme, bench_.layout.ui_scale);
   gui_.begin_frame();
   try {
     build_frame();
@@ -190,18 +199,18 @@ void Session::draw_frame() {
   ++times.frames;
 }
 
-void Session::take_requests() {
+void WindowLoop::take_requests() {
   const WindowRequests requests = std::exchange(bench_.requests, {});
   if (requests.screenshot) take_screenshot();
   if (requests.toggle_full_screen) window_.toggle_full_screen();
   if (requests.close) window_.close();
   const WindowSize size = window_.size();
   if (window_.is_full_screen() || size.width_px < 1) return;
-  bench_.window.width = std::max(size.width_px, 480);
-  bench_.window.height = std::max(size.height_px, 320);
+  bench_.layout.width_px = std::max(size.width_px, 480);
+  bench_.layout.height_px = std::max(size.height_px, 320);
 }
 
-void Session::take_screenshot() {
+void WindowLoop::take_screenshot() {
   const std::string name = screenshot_name();
   try {
     write_png(name, read_window(window_.size()), {});
@@ -211,7 +220,7 @@ void Session::take_screenshot() {
   }
 }
 
-void Session::write_state() {
+void WindowLoop::write_state() {
   if (options_.state_file.empty()) return;
   const std::string text = state_text(bench_);
   if (text == written_state_) return;
@@ -220,7 +229,7 @@ void Session::write_state() {
 }
 
 /// A slider pulled to and fro over its whole range, as with the mouse: what a frame of it costs.
-void Session::drag_by_itself() {
+void WindowLoop::drag_by_itself() {
   if (!is_dragging_itself()) return;
   bench_.begin_edit();
   Settings settings = bench_.settings();
@@ -234,7 +243,7 @@ void Session::drag_by_itself() {
   bench_.requests.close = true;
 }
 
-void Session::run() {
+void WindowLoop::run() {
   window_.show();
   const auto start = std::chrono::steady_clock::now();
   int frames = 0;
@@ -249,7 +258,8 @@ void Session::run() {
     draw_frame();
     --frames_wanted_;
     ++frames;
-    const bool waits_for_times = bench_.timer.is_waiting() || bench_.pictures.has_late();
+    const bool waits_for_times =
+        bench_.timer.is_waiting() || bench_.pictures.has_late() || bench_.judge.is_late();
     if (waits_for_times && frames_wanted_ <= 0 && !bench_.is_editing()) frames_wanted_ = 1;
   }
   if (options_.drag_frames > 0) {
@@ -258,14 +268,14 @@ void Session::run() {
                frames / seconds);
   }
   write_state();
-  save_window_state();
+  save_session(true);
 }
 
 }  // namespace
 
 void run_window(const WindowOptions& options) {
-  Session session(options);
-  session.run();
+  WindowLoop loop(options);
+  loop.run();
 }
 
 }  // namespace inkbench

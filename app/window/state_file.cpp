@@ -22,6 +22,8 @@ Json view_of(const ViewState& view) {
             {"magnification", view.magnification},
             {"selected", name_of(view.selected)},
             {"filled", view.filled ? std::string(name_of(*view.filled)) : ""},
+            {"marked", view.marked ? Json{view.marked->x, view.marked->y} : Json(nullptr)},
+            {"overlay", static_cast<int>(view.overlay)},
             {"tool", view.tool == MouseTool::camera ? "camera" : "view"}};
   json["comparison"] = {{"active", view.comparison.active},
                         {"flips", view.comparison.flips},
@@ -30,6 +32,38 @@ Json view_of(const ViewState& view) {
                         {"a", {name_of(view.comparison.a.buffer), view.comparison.a.pinned}},
                         {"b", {name_of(view.comparison.b.buffer), view.comparison.b.pinned}}};
   return json;
+}
+
+Json judgement_of(const Judgement* judgement) {
+  if (judgement == nullptr || !judgement->error.empty()) return nullptr;
+  Json json = Json::parse(measures_json(judgement->measures));
+  for (size_t i = 0; i < kLineClasses.size(); ++i) {
+    const std::optional<double>& recall = judgement->recall[i];
+    json["recall_" + std::string(kLineClassNames[i])] = recall ? Json(*recall) : Json(nullptr);
+  }
+  return json;
+}
+
+Json judge_of(const JudgeDesk& judge) {
+  return {{"behind", judge.is_behind()},
+          {"now", judgement_of(judge.now())},
+          {"pinned", judgement_of(judge.pinned())}};
+}
+
+/// The sum behind the marked pixel.
+Json why_of(const Workbench& bench) {
+  if (!bench.view.marked) return nullptr;
+  const ProbedPixel& probed = bench.probe.last();
+  const auto term = [](const TermWhy& why) {
+    return Json{{"gmax", why.gmax}, {"gmin", why.gmin}, {"k", why.k}, {"p", why.p}};
+  };
+  return {{"pixel", {probed.why.x, probed.why.y}},
+          {"depth", term(probed.why.depth)},
+          {"normal", term(probed.why.normal)},
+          {"sum", probed.why.sum},
+          {"inked", probed.why.inked},
+          {"drawn", probed.drawn},
+          {"text", verdict_text(probed.why)}};
 }
 
 Json passes_of(const Workbench& bench) {
@@ -50,10 +84,10 @@ Json pictures_of(const Workbench& bench) {
   return json;
 }
 
-Json window_of(const WindowParams& params) {
+Json layout_of(const WindowLayout& layout) {
   Json json = Json::object();
-  for (const Field& field : WindowParams::description().fields)
-    json[std::string(field.name)] = to_text(field.get(&params));
+  for (const Field& field : WindowLayout::description().fields)
+    json[std::string(field.name)] = to_text(field.get(&layout));
   return json;
 }
 
@@ -67,13 +101,17 @@ Json log_of(const MessageLog& log) {
 
 std::string state_text(const Workbench& bench) {
   Json json{{"scene", bench.scene_name()},
+            {"steps", bench.history().step_names()},
+            {"position", bench.history().position()},
             {"frames", bench.frame_times.frames},
             {"frame_ms", bench.frame_times.mean_ms},
             {"parameters", parameters_of(bench.settings())},
             {"view", view_of(bench.view)},
             {"passes", passes_of(bench)},
             {"pictures", pictures_of(bench)},
-            {"window", window_of(bench.window)},
+            {"layout", layout_of(bench.layout)},
+            {"judge", judge_of(bench.judge)},
+            {"why", why_of(bench)},
             {"log", log_of(bench.log)}};
   json["problems"] = Json::array();
   for (const auto& [kind, text] : bench.problems()) json["problems"].push_back(text);

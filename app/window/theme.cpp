@@ -21,6 +21,7 @@ constexpr Palette kDark{
     .accent = rgb(0x4ea1e8),
     .accent_soft = rgb(0x2f5478),
     .on_accent = rgb(0x0c1117),
+    .mark = rgb(0xe0503f),
     .warning = rgb(0xe2ad55),
     .error = rgb(0xe5736b),
     .good = rgb(0x7cba7e),
@@ -38,13 +39,14 @@ constexpr Palette kLight{
     .accent = rgb(0x1a6fb9),
     .accent_soft = rgb(0xa9cdec),
     .on_accent = rgb(0xffffff),
+    .mark = rgb(0xd1392b),
     .warning = rgb(0x9a6200),
     .error = rgb(0xbb342b),
     .good = rgb(0x2c7a35),
 };
 
 struct Current {
-  Palette theme = kDark;
+  Palette palette = kDark;
   float scale = 1.0F;
 };
 
@@ -113,17 +115,21 @@ void set_sizes(ImGuiStyle& style) {
 }  // namespace
 
 const Palette& theme() {
-  return current().theme;
+  return current().palette;
 }
 
-void apply_theme(ThemeName name, float scale) {
-  current() = {name == ThemeName::dark ? kDark : kLight, scale};
+void apply_theme(Theme name, float scale) {
+  current() = {name == Theme::dark ? kDark : kLight, scale};
   ImGuiStyle style;
   set_sizes(style);
-  set_colours(style, current().theme);
+  set_colours(style, current().palette);
   style.ScaleAllSizes(scale);
   style.PopupBorderSize = std::max(1.0F, std::floor(scale));
   ImGui::GetStyle() = style;
+}
+
+float text_scale() {
+  return current().scale;
 }
 
 float scaled(float length) {

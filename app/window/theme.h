@@ -4,18 +4,9 @@
 
 #include <imgui.h>
 
-#include <array>
-#include <string_view>
-
-#include "pipeline/params/description.h"
+#include "app/workbench/window_layout.h"
 
 namespace inkbench {
-
-enum class ThemeName { dark, light };
-template <>
-struct ChoiceNames<ThemeName> {
-  static constexpr std::array<std::string_view, 2> names{"dark", "light"};
-};
 
 struct Palette {
   ImU32 canvas;     ///< Behind pictures.
@@ -29,6 +20,7 @@ struct Palette {
   ImU32 accent;
   ImU32 accent_soft;  ///< The filled part of a slider, a selected row.
   ImU32 on_accent;    ///< Text on the accent.
+  ImU32 mark;         ///< On pictures of any colour, beside the accent.
   ImU32 warning, error, good;
 };
 
@@ -36,7 +28,10 @@ struct Palette {
 const Palette& theme();
 
 /// Sets the palette and ImGui's style for text `scale` times as large as usual.
-void apply_theme(ThemeName name, float scale);
+void apply_theme(Theme name, float scale);
+
+/// How many times the usual size text has.
+float text_scale();
 
 /// A length at the usual text size, in pixels of this display.
 float scaled(float length);

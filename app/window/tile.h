@@ -21,6 +21,14 @@ struct TilePlace {
   bool operator==(const TilePlace&) const = default;
 };
 
+/// Lines to lay over a picture of the same size: rgba8, clear where there is none. `veil`: how much the
+/// picture fades to white below them, 0 to 1.
+struct TileOverlay {
+  const Texture* texture = nullptr;
+  Key key;
+  float veil = 0.0F;
+};
+
 class TilePainter {
  public:
   /// Errors (input): the shader does not compile.
@@ -29,13 +37,14 @@ class TilePainter {
   /// The part of `picture` that a tile of that size shows; see-through where there is no picture. Each pixel
   /// is the mean of what it covers, or, when magnified, the nearest picture pixel. `slot` names the tile.
   const Texture& paint(const std::string& slot, const Texture& picture, const Key& picture_key,
-                       const TilePlace& place, int width_px, int height_px);
+                       const TilePlace& place, int width_px, int height_px, const TileOverlay& overlay = {});
 
   void observe(PassObserver* observer) { observer_ = observer; }
   bool reload_if_changed() { return program_.reload_if_changed({}); }
 
  private:
-  Texture run(const Texture& picture, const TilePlace& place, int width_px, int height_px) const;
+  Texture run(const Texture& picture, const TilePlace& place, int width_px, int height_px,
+              const TileOverlay& overlay) const;
 
   Program program_;
   std::map<std::string, Stage<Texture>> tiles_;

@@ -36,6 +36,12 @@ PicturePoint point_under(const ViewState& view, const TileFrame& frame, double w
           view.centre_y * frame.picture_height + (window_y - frame.top - frame.height / 2.0) / scale};
 }
 
+PicturePoint point_over(const ViewState& view, const TileFrame& frame, double picture_x, double picture_y) {
+  const double scale = magnification(view, frame);
+  return {frame.left + frame.width / 2.0 + (picture_x - view.centre_x * frame.picture_width) * scale,
+          frame.top + frame.height / 2.0 + (picture_y - view.centre_y * frame.picture_height) * scale};
+}
+
 void zoom_about(ViewState& view, const TileFrame& frame, double window_x, double window_y, double factor) {
   const PicturePoint before = point_under(view, frame, window_x, window_y);
   const double largest = std::max(1.0, kLargestPixel / std::max(fit_magnification(frame), 1e-6));

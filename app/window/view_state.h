@@ -29,6 +29,18 @@ struct HoveredPixel {
   int x = 0, y = 0;  ///< (0, 0) is the top left one.
 };
 
+/// A pixel of all pictures; (0, 0) is the top left one.
+struct MarkedPixel {
+  int x = 0, y = 0;
+  bool operator==(const MarkedPixel&) const = default;
+};
+
+/// Lines laid over all pictures.
+enum class Overlay { none, reference, matches };
+
+/// What the panel beside the pictures shows.
+enum class SidePage { inspector, judge };
+
 /// What dragging on a picture does.
 enum class MouseTool { view, camera };
 
@@ -43,6 +55,11 @@ struct ViewState {
   std::optional<double> wanted_magnification;  ///< To set when tiles are next drawn.
   bool camera_moving = false;                  ///< The mouse drags the camera.
   std::optional<HoveredPixel> hovered;
+  std::optional<MarkedPixel> marked_before;  ///< What a second click brings back.
+  std::optional<MarkedPixel> marked;         ///< Asked why it is as it is; shown on all pictures.
+  Overlay overlay = Overlay::none;
+  SidePage side_page = SidePage::inspector;
+  bool edits_ramps = false;  ///< The ramp editor is open, in the place of timings and log.
 
   void fit() {
     zoom = 1.0;
@@ -65,6 +82,9 @@ struct PicturePoint {
 
 /// The picture's point under a point of the window.
 PicturePoint point_under(const ViewState& view, const TileFrame& frame, double window_x, double window_y);
+
+/// The point of the window at a picture's point: the inverse.
+PicturePoint point_over(const ViewState& view, const TileFrame& frame, double picture_x, double picture_y);
 
 /// Zooms by `factor` so that the picture's point under the given point of the window stays there.
 void zoom_about(ViewState& view, const TileFrame& frame, double window_x, double window_y, double factor);

@@ -141,6 +141,10 @@ void wait_for_events(double seconds) {
   }
 }
 
+void wake_window() {
+  glfwPostEmptyEvent();
+}
+
 void poll_events() {
   glfwPollEvents();
 }

@@ -51,6 +51,9 @@ class Window {
 /// Returns when the desktop has events for us or after so many seconds; infinity waits for events alone.
 void wait_for_events(double seconds);
 
+/// Ends `wait_for_events` from any thread.
+void wake_window();
+
 /// Hands the events that are there to the callbacks.
 void poll_events();
 

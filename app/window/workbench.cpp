@@ -4,9 +4,11 @@
 #include <limits>
 #include <utility>
 
-#include "app/window/open_file.h"
+#include "app/window/word_list.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/log.h"
+#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/scene/replace_mesh.h"
 #include "pipeline/scene/settings_file.h"
 
 namespace inkbench {
@@ -16,8 +18,14 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Workbench::Workbench(const Settings& settings, const std::string& scene_name)
-    : settings_(settings), baseline_(settings), scene_name_(scene_name), wake_seconds_(kNever) {
+Workbench::Workbench(const Session& session, const Settings& baseline)
+    : layout(session.layout),
+      history_(session.settings),
+      baseline_(baseline),
+      scene_(session.scene),
+      recent_(session.recent),
+      bookmarks_(session.bookmarks),
+      wake_seconds_(kNever) {
   set_log_sink([this](const std::string& text) { log.add(Severity::note, text); });
   pictures.pipeline().observe(&timer);
   tiles.observe(&window_timer);
@@ -27,18 +35,27 @@ Workbench::~Workbench() {
   set_log_sink({});
 }
 
+Session Workbench::session() const {
+  return {settings(), scene_, layout, recent_, bookmarks_};
+}
+
+std::string Workbench::scene_name() const {
+  return scene_.empty() ? "no scene file" : scene_.filename().string();
+}
+
+/// Returns whether the change was accepted.
 template <class Change>
-void Workbench::apply(const Change& change) {
-  Settings next = settings_;
+bool Workbench::apply(const Change& change, const std::string& name) {
+  Settings next = settings();
   try {
     change(next);
   } catch (const Error& error) {
     set_problem(ProblemKind::input, error.what());
-    return;
+    return false;
   }
   dismiss(ProblemKind::input);
-  const Settings before = std::exchange(settings_, std::move(next));
-  if (!is_editing() && on_step) on_step(before, settings_);
+  history_.record(std::move(next), name);
+  return true;
 }
 
 void Workbench::change(const std::string& key, const Value& value) {
@@ -54,37 +71,52 @@ void Workbench::reset(const std::string& key) {
   if (has_param(from, key)) change(key, find_param(from, key, "").value());
 }
 
-void Workbench::replace(const Settings& settings) {
-  apply([&](Settings& next) {
+void Workbench::replace(const Settings& settings, const std::string& name) {
+  const auto take = [&](Settings& next) {
     next = settings;
     for (const Param& param : list_params(next)) param.set(param.value(), "");  // checks it
-  });
+  };
+  apply(take, name);
 }
 
-void Workbench::begin_edit() {
-  if (!is_editing()) edit_start_ = settings_;
+void Workbench::undo() {
+  history_.undo();
 }
 
-void Workbench::end_edit() {
-  if (!is_editing()) return;
-  const Settings before = *std::exchange(edit_start_, std::nullopt);
-  if (on_step && settings_text(before) != settings_text(settings_)) on_step(before, settings_);
+void Workbench::redo() {
+  history_.redo();
+}
+
+void Workbench::take_over(Settings& next, const OpenedFile& file) {
+  if (file.kind == FileKind::study) {
+    throw input_error(file.path.string(), "is a study", "`inkbench study` runs it");
+  }
+  if (file.kind == FileKind::mesh) {
+    load_mesh_file(file.path);  // one that cannot be read is told before anything changes
+    replace_main_mesh(next, file.path);
+  }
+  if (file.settings) next = *file.settings;
+  if (file.ramp) next.ramp.diffuse = *file.ramp;
 }
 
 void Workbench::open(const std::string& path) {
-  apply([&](Settings& next) {
-    const OpenedFile file = open_file(next, path);
-    next = file.settings;
-    if (file.is_whole) {
-      baseline_ = file.settings;
-      scene_name_ = file.name;
-    }
-    tell(Severity::note, "opened " + path);
-  });
+  std::optional<OpenedFile> opened;
+  const auto take = [&](Settings& next) {
+    opened = open_file(path);
+    take_over(next, *opened);
+  };
+  if (!apply(take, "open " + fs::path(path).filename().string())) return;
+  const bool is_scene = opened->kind == FileKind::scene;
+  if (is_scene) scene_ = opened->path;
+  if (is_scene || !same_structure(baseline_, settings())) baseline_ = settings();
+  Session files = session();
+  add_recent(files, opened->path);
+  recent_ = files.recent;
+  tell(Severity::note, "opened " + opened->path.string());
 }
 
 Key Workbench::drawn_state() const {
-  return KeyBuilder().add(settings_text(settings_)).add(std::to_string(files_revision_)).key();
+  return KeyBuilder().add(settings_text(settings())).add(std::to_string(files_revision_)).key();
 }
 
 void Workbench::refresh() {
@@ -94,8 +126,11 @@ void Workbench::refresh() {
   if (failed_ == state) return;
   try {
     const bool hurry = is_editing() || frame_times.frames == 0;
-    pictures.refresh(settings_, wanted_buffers(), hurry);
-    last_good_ = settings_;
+    pictures.refresh(settings(), wanted_buffers(), hurry);
+    const bool judges = layout.show_inspector && view.side_page == SidePage::judge;
+    judge.refresh(pictures, settings(),
+                  {judges || view.overlay == Overlay::matches, view.overlay == Overlay::reference}, hurry);
+    last_good_ = settings();
     failed_.reset();
     dismiss(ProblemKind::drawing);
   } catch (const std::bad_alloc&) {
@@ -110,7 +145,7 @@ void Workbench::refresh() {
 /// What the files that the settings name hold, or why they cannot be read.
 std::string Workbench::files_state() {
   try {
-    const PassKeys keys = pictures.pipeline().keys(settings_);
+    const PassKeys keys = pictures.pipeline().keys(settings());
     return keys.meshes.text() + keys.ink.text();
   } catch (const Error& error) {
     return error.what();
@@ -137,11 +172,11 @@ bool Workbench::poll_files() {
 }
 
 bool Workbench::is_listed(BufferName buffer) const {
-  return !has_word(window.hidden_buffers, name_of(buffer));
+  return !has_word(layout.hidden_buffers, name_of(buffer));
 }
 
 void Workbench::set_listed(BufferName buffer, bool listed) {
-  window.hidden_buffers = with_word(window.hidden_buffers, name_of(buffer), !listed);
+  layout.hidden_buffers = with_word(layout.hidden_buffers, name_of(buffer), !listed);
 }
 
 std::array<bool, kBufferCount> Workbench::wanted_buffers() const {
@@ -162,7 +197,7 @@ std::array<bool, kBufferCount> Workbench::wanted_buffers() const {
 
 void Workbench::pin() {
   try {
-    pictures.pin(settings_);
+    pictures.pin(settings());
     tell(Severity::note, "pinned this state");
   } catch (const Error& error) {
     set_problem(ProblemKind::drawing, error.what());
@@ -180,7 +215,7 @@ void Workbench::set_problem(ProblemKind kind, const std::string& text) {
 }
 
 void Workbench::go_back() {
-  if (last_good_) replace(*last_good_);
+  if (last_good_) replace(*last_good_, "back to what was drawn");
 }
 
 void Workbench::wake_in(double seconds) {

@@ -4,25 +4,28 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/window/judge_desk.h"
 #include "app/window/message_log.h"
 #include "app/window/pass_timer.h"
 #include "app/window/pictures.h"
+#include "app/window/pixel_probe.h"
 #include "app/window/studies.h"
 #include "app/window/tile.h"
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
-#include "app/window/window_params.h"
+#include "app/workbench/history.h"
+#include "app/workbench/opened_file.h"
+#include "app/workbench/session.h"
+#include "pipeline/base/files.h"
 #include "pipeline/scene/settings.h"
 
 namespace inkbench {
-
-/// One change, however many movements of the mouse it took.
-using StepListener = std::function<void(const Settings& before, const Settings& after)>;
 
 /// What stands in the way, by where it comes from: each is shown until it is mended or dismissed.
 enum class ProblemKind { drawing, shader, input };
@@ -40,18 +43,22 @@ struct FrameTimes {
 
 class Workbench {
  public:
-  /// Needs a current OpenGL 4.5 context for its whole life. Errors (input): a shader does not compile.
-  Workbench(const Settings& settings, const std::string& scene_name);
+  /// Needs a current OpenGL 4.5 context for its whole life. `baseline`: the settings as the session's scene
+  /// file gives them. Errors (input): a shader does not compile.
+  Workbench(const Session& session, const Settings& baseline);
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
   ~Workbench();
 
   // --- settings: every change goes through these ---
 
-  const Settings& settings() const { return settings_; }
-  /// What the opened file says: parameters that differ from it are marked as changed and can be reset to it.
+  const Settings& settings() const { return history_.current(); }
+  /// What the scene's file says: parameters that differ from it are marked as changed and can be reset to it.
   const Settings& baseline() const { return baseline_; }
-  const std::string& scene_name() const { return scene_name_; }
+  /// What is to come back at the next start.
+  Session session() const;
+  /// "paper.toml": for people.
+  std::string scene_name() const;
 
   /// Sets one parameter; a value that it does not accept is told as a problem and changes nothing.
   void change(const std::string& key, const Value& value);
@@ -59,17 +66,18 @@ class Workbench {
   void change_text(const std::string& key, const std::string& text);
   /// Back to the baseline's value.
   void reset(const std::string& key);
-  /// All at once: undo, a preset, an image's parameters.
-  void replace(const Settings& settings);
+  /// All at once: a preset, an image's parameters, a camera; `name` is the step's, "" for what changed.
+  void replace(const Settings& settings, const std::string& name = "");
   /// Changes between these two are one step: a slider that is being dragged, an orbit.
-  void begin_edit();
-  void end_edit();
-  bool is_editing() const { return edit_start_.has_value(); }
-  /// Told of every step.
-  StepListener on_step;
+  void begin_edit() { history_.begin_edit(); }
+  void end_edit() { history_.end_edit(); }
+  bool is_editing() const { return history_.is_editing(); }
+  void undo();
+  void redo();
+  const History& history() const { return history_; }
 
-  /// Opens a scene, an exported image (its parameters) or a mesh (in the main model's place). What cannot be
-  /// opened is told as a problem and changes nothing.
+  /// Opens a scene, a preset, an exported image (its parameters), a mesh (in the main model's place) or a
+  /// ramp (the diffuse one). What cannot be opened is told as a problem and changes nothing.
   void open(const std::string& path);
 
   // --- pictures ---
@@ -78,6 +86,10 @@ class Workbench {
   void refresh();
   /// Now and then: takes in edits of shaders, meshes and ramps on disk. Returns whether there were any.
   bool poll_files();
+  /// Another number after each such edit.
+  long files_revision() const { return files_revision_; }
+  /// The settings of the pictures that are shown.
+  const std::optional<Settings>& drawn_settings() const { return last_good_; }
   /// The buffers that the sheet shows, or those that fill the window.
   std::array<bool, kBufferCount> wanted_buffers() const;
   bool is_listed(BufferName buffer) const;
@@ -97,7 +109,7 @@ class Workbench {
   void wake_in(double seconds);
   double take_wake_seconds();
 
-  WindowParams window;
+  WindowLayout layout;
   ViewState view;
   MessageLog log;
   UiMap ui_map;
@@ -108,16 +120,21 @@ class Workbench {
   Pictures pictures;
   Studies studies;
   TilePainter tiles;
+  JudgeDesk judge;
+  PixelProbe probe;  ///< Of the marked pixel.
 
  private:
   template <class Change>
-  void apply(const Change& change);
+  bool apply(const Change& change, const std::string& name = "");
+  void take_over(Settings& next, const OpenedFile& file);
   Key drawn_state() const;
   std::string files_state();
 
-  Settings settings_, baseline_;
-  std::string scene_name_;
-  std::optional<Settings> edit_start_;
+  History history_;
+  Settings baseline_;
+  fs::path scene_;
+  std::vector<fs::path> recent_;
+  std::vector<CameraBookmark> bookmarks_;
   std::optional<Settings> last_good_;
   std::optional<Key> failed_;  ///< What could not be drawn: not tried again until something changes.
   long files_revision_ = 0;

@@ -32,19 +32,13 @@ struct JudgeRequest {
   double tolerance_px = kTolerancePx;
 };
 
-/// A level against the full mesh, by the names of a study's measures.
-struct LadderJudgement {
-  double f1_geometry = 0, f1_end_to_end = 0;
-  std::optional<double> internal_kept, internal_new;
-};
-
 struct Judgement {
   uint64_t id = 0;
   std::string error;  ///< Why there is nothing else; "" as a rule.
   Measures measures;
   std::array<std::optional<double>, kLineClasses.size()>
       recall;                             ///< By class; none where the view has no such line.
-  std::optional<LadderJudgement> ladder;  ///< Where the request had a full mesh.
+  std::optional<LadderMeasures> ladder;  ///< Where the request had a full mesh.
   MatchMaps maps;
   double seconds = 0;  ///< That it took.
 };

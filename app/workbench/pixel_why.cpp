@@ -127,14 +127,7 @@ std::string object_name(int object, std::span<const std::string> names) {
 }
 
 std::string step_text(const GradientStep& step, bool is_depth, std::span<const std::string> names) {
-  std::string text =
-      is_depth ? fmt::format("a step in depth from {} to {}", number(step.from_depth), number(step.to_depth))
-               : fmt::format("normals {:.3g} degrees apart", step.angle_deg);
-  if (step.from_object != step.to_object) {
-    text += fmt::format(" between {} and {}", object_name(step.from_object, names),
-                        object_name(step.to_object, names));
-  }
-  return fmt::format("; {:.0f} % of it is {}", 100 * step.share, text);
+  return fmt::format("; {:.0f} % of it is {}", 100 * step.share, cause_text(step, is_depth, names));
 }
 
 std::string term_text(const char* name, const TermWhy& why, std::span<const std::string> names) {
@@ -146,18 +139,6 @@ std::string term_text(const char* name, const TermWhy& why, std::span<const std:
                   why.ratio >= 1 ? "at least 1" : "squared", number(why.p), places_text(why));
   if (why.step && why.gmax > why.gmin) text += step_text(*why.step, is_depth, names);
   return text + ".";
-}
-
-std::string verdict_text(const PixelWhy& why) {
-  const bool is_close = number(why.sum) == number(why.threshold);  // four digits would not tell them apart
-  const std::string sum =
-      fmt::format("the sum of the terms, {},", is_close ? shortest(why.sum) : number(why.sum));
-  if (why.inked)
-    return fmt::format("A line, because {} reaches the threshold {}.", sum, shortest(why.threshold));
-  if (why.sum < why.threshold)
-    return fmt::format("No line, because {} is below the threshold {}.", sum, shortest(why.threshold));
-  if (why.sum > 0) return fmt::format("No line: {} rounds to 0 in eight bits.", sum);
-  return "No line, because both terms are 0.";
 }
 
 }  // namespace
@@ -184,6 +165,29 @@ std::string why_text(const PixelWhy& why, std::span<const std::string> object_na
   const std::string normal = term_text("normal", why.normal, object_names);
   const bool depth_first = why.depth.p > why.normal.p;
   return verdict_text(why) + " " + (depth_first ? depth : normal) + " " + (depth_first ? normal : depth);
+}
+
+std::string verdict_text(const PixelWhy& why) {
+  const bool is_close = number(why.sum) == number(why.threshold);  // four digits would not tell them apart
+  const std::string sum =
+      fmt::format("the sum of the terms, {},", is_close ? shortest(why.sum) : number(why.sum));
+  if (why.inked)
+    return fmt::format("A line, because {} reaches the threshold {}.", sum, shortest(why.threshold));
+  if (why.sum < why.threshold)
+    return fmt::format("No line, because {} is below the threshold {}.", sum, shortest(why.threshold));
+  if (why.sum > 0) return fmt::format("No line: {} rounds to 0 in eight bits.", sum);
+  return "No line, because both terms are 0.";
+}
+
+std::string cause_text(const GradientStep& step, bool is_depth, std::span<const std::string> names) {
+  std::string text =
+      is_depth ? fmt::format("a step in depth from {} to {}", number(step.from_depth), number(step.to_depth))
+               : fmt::format("normals {:.0f} degrees apart", step.angle_deg);
+  if (step.from_object != step.to_object) {
+    text += fmt::format(" between {} and {}", object_name(step.from_object, names),
+                        object_name(step.to_object, names));
+  }
+  return text;
 }
 
 std::string offset_text(const Offset& offset) {

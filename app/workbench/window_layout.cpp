@@ -31,6 +31,10 @@ const Description& WindowLayout::description() {
           field<&WindowLayout::ui_scale>({.name = "ui_scale",
                                           .help = "Size of text and controls; 0 follows the monitor.",
                                           .limits = {0, 4}}),
+          field<&WindowLayout::open_groups>(
+              {.name = "open_groups", .help = "Groups of parameters that are open."}),
+          field<&WindowLayout::hidden_buffers>(
+              {.name = "hidden_buffers", .help = "Buffers that are left out of the contact sheet."}),
       }};
   return kDescription;
 }

@@ -2,6 +2,8 @@
 // group, so that the session file, its checks and menus are visitors over it.
 #pragma once
 
+#include <string>
+
 #include "pipeline/params/description.h"
 
 namespace inkbench {
@@ -18,7 +20,7 @@ struct WindowLayout {
   bool maximised = false;
   float left = 0.24F;
   float right = 0.22F;
-  float bottom = 0.18F;
+  float bottom = 0.21F;
   bool show_parameters = true;
   bool show_inspector = true;
   bool show_timings = true;
@@ -26,6 +28,8 @@ struct WindowLayout {
   bool show_welcome = true;
   Theme theme = Theme::dark;
   float ui_scale = 0.0F;
+  std::string open_groups = "mesh ramp combine ink";
+  std::string hidden_buffers;
 
   static const Description& description();
 };

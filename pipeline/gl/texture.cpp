@@ -71,6 +71,18 @@ void give_back(const Idle& texture) {
   idle.push_back(texture);
 }
 
+/// Rows from the bottom up, as OpenGL gives them, as an image of some of their channels.
+Image upright(const std::vector<float>& raw, int raw_channels, int width_px, int height_px, int first,
+              int channels) {
+  Image image(width_px, height_px, channels);
+  for (int y = 0; y < height_px; ++y) {
+    const float* from = &raw[static_cast<size_t>(height_px - 1 - y) * width_px * raw_channels];
+    for (int x = 0; x < width_px; ++x)
+      std::copy_n(from + x * raw_channels + first, channels, &image.at(x, y));
+  }
+  return image;
+}
+
 }  // namespace
 
 Texture::Texture(const std::string& label, TextureFormat format, int width_px, int height_px)
@@ -130,24 +142,18 @@ Image Texture::read(int first, int channels) const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glGetTextureImage(id_, 0, info.external, GL_FLOAT, static_cast<GLsizei>(raw.size() * sizeof(float)),
                     raw.data());
-  Image image(width_px_, height_px_, channels);
-  for (int y = 0; y < height_px_; ++y) {
-    const float* from = &raw[static_cast<size_t>(height_px_ - 1 - y) * width_px_ * info.channels];
-    for (int x = 0; x < width_px_; ++x)
-      std::copy_n(from + x * info.channels + first, channels, &image.at(x, y));
-  }
-  return image;
+  return upright(raw, info.channels, width_px_, height_px_, first, channels);
 }
 
-Image Texture::read_pixel(int x, int y, int first, int channels) const {
+Image Texture::read_part(int x, int y, int width_px, int height_px, int first, int channels) const {
   const FormatInfo info = info_of(format_);
-  assert(first + channels <= info.channels && x >= 0 && x < width_px_ && y >= 0 && y < height_px_);
-  std::array<float, 4> raw{};
-  glGetTextureSubImage(id_, 0, x, height_px_ - 1 - y, 0, 1, 1, 1, info.external, GL_FLOAT, sizeof(raw),
-                       raw.data());
-  Image image(1, 1, channels);
-  std::copy_n(raw.data() + first, channels, image.samples.data());
-  return image;
+  assert(first + channels <= info.channels && x >= 0 && x + width_px <= width_px_ && y >= 0 &&
+         y + height_px <= height_px_);
+  std::vector<float> raw(static_cast<size_t>(width_px) * height_px * info.channels);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureSubImage(id_, 0, x, height_px_ - y - height_px, 0, width_px, height_px, 1, info.external,
+                       GL_FLOAT, static_cast<GLsizei>(raw.size() * sizeof(float)), raw.data());
+  return upright(raw, info.channels, width_px, height_px, first, channels);
 }
 
 Picture Texture::read_picture() const {

@@ -30,8 +30,8 @@ class Texture {
   void upload(const Image& image);
   /// `channels` channels from `first` on, as floats: 8-bit values come back as n / 255.
   Image read(int first, int channels) const;
-  /// The same of one pixel, 1 x 1; row 0 on top.
-  Image read_pixel(int x, int y, int first, int channels) const;
+  /// The same of a rectangle inside the texture, from its top left pixel; row 0 on top.
+  Image read_part(int x, int y, int width_px, int height_px, int first, int channels) const;
   /// The red, green and blue of an rgba8 texture.
   Picture read_picture() const;
 

@@ -8,8 +8,6 @@
 namespace inkbench {
 namespace {
 
-constexpr std::array<uint8_t, 3> kAllowedColour{150, 150, 150};
-
 /// The pixels of `lines` that have (or have not) a partner.
 LineMap paired(const LineMap& lines, const std::vector<int32_t>& partners, bool with_partner) {
   LineMap result(lines.width_px(), lines.height_px());

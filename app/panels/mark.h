@@ -1,0 +1,20 @@
+// The pixel that is asked about: marking it with the mouse, moving it with the keys, showing it on a picture.
+#pragma once
+
+#include <imgui.h>
+
+#include "app/window/workbench.h"
+
+namespace inkbench {
+
+/// After the tile's item: a click that drags nothing marks the pixel under the mouse. The second click of two
+/// fills the window instead and leaves the mark as it was.
+void mark_with_mouse(Workbench& bench, const TileFrame& frame);
+
+/// Moves the mark by so many pixels, as far as the image goes.
+void move_mark(Workbench& bench, int dx, int dy);
+
+/// On a picture that was drawn into the frame, inside the current clip rectangle.
+void draw_mark(const Workbench& bench, const TileFrame& frame);
+
+}  // namespace inkbench

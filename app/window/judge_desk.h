@@ -1,0 +1,63 @@
+// The measures of the drawn lines beside the window. In: pictures and settings, once a frame. Out: the newest
+// measures, the pinned state's, and overlays that show lines on pictures. The thread that measures gets plain
+// copies; the window never waits for it.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "app/window/pictures.h"
+#include "app/window/tile.h"
+#include "app/window/view_state.h"
+#include "app/workbench/live_judge.h"
+
+namespace inkbench {
+
+class JudgeDesk {
+ public:
+  JudgeDesk();
+
+  /// What is looked at: nothing is read or measured that nobody sees.
+  struct Wanted {
+    bool measures = false, lines = false;
+  };
+
+  /// Takes in what was measured and asks for what is not up to date. `hurry`: something is being dragged, so
+  /// that slow reference lines wait. Errors (input, work): as `Pictures::refresh`.
+  void refresh(Pictures& pictures, const Settings& settings, Wanted wanted, bool hurry);
+
+  /// The newest measures, perhaps of settings a moment ago; null before the first ones.
+  const Judgement* now() const { return now_ ? &*now_ : nullptr; }
+  /// The pinned state's; null where none is pinned or it is not measured yet.
+  const Judgement* pinned() const { return pinned_ ? &*pinned_ : nullptr; }
+  /// Whether `now` is of other settings than the last ones seen.
+  bool is_behind() const { return behind_; }
+  /// Whether the reference lines wait until nothing is dragged.
+  bool is_late() const { return late_; }
+  /// Whether there are new measures since the last call: a frame should show them.
+  bool take_news() { return news_.exchange(false); }
+
+  /// The last reference lines found, or null.
+  const ReferenceLines* lines() const { return lines_.get(); }
+  /// The lines to lay over pictures of the present settings; none where there are none yet.
+  TileOverlay overlay(Overlay kind);
+
+ private:
+  bool refresh_lines(BufferSource& source, const Settings& settings, bool hurry);
+  void refresh_measures(Pipeline& pipeline, const Settings& settings);
+  void refresh_pinned(Pictures& pictures);
+  void take_results();
+
+  std::shared_ptr<const ReferenceLines> lines_;
+  Key lines_key_, asked_, pinned_key_;
+  double lines_ms_;
+  uint64_t last_id_ = 0;
+  bool behind_ = false, late_ = false;
+  std::optional<Judgement> now_, pinned_;
+  Stage<Texture> reference_, matches_;
+  std::atomic<bool> news_ = false;
+  LiveJudge judge_, pinned_judge_;  ///< Last: their threads write `news_`.
+};
+
+}  // namespace inkbench
