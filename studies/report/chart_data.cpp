@@ -180,13 +180,15 @@ LineData line_data(const Chart& chart, const CsvTable& table) {
   if (chart.x.is_text) data.categories = places.fields();
   for (const size_t index : rows) {
     const Row& row = table.rows[index];
-    const std::optional<double> x = places.place(row[table.column(chart.x.name)]);
+    const std::string& x_field = row[table.column(chart.x.name)];
+    const std::optional<double> x = places.place(x_field);
+    const bool x_is_off = !x && number_in(x_field).has_value();
     const size_t panel = chart.panel ? panels.place(row[table.column(chart.panel->name)]) : 0;
     const size_t by = chart.by ? bys.place(row[table.column(chart.by->name)]) : 0;
     for (size_t i = 0; i < chart.y.size(); ++i) {
       std::optional<double> y = number_in(row[table.column(chart.y[i].name)]);
-      const bool is_off = !x || (y && chart.scale_y == Scale::log && *y <= 0);
-      if (is_off && y) ++data.off_scale;
+      const bool is_off = y && (x_is_off || (chart.scale_y == Scale::log && *y <= 0));
+      data.off_scale += is_off ? 1 : 0;
       if (is_off) y.reset();
       if (x) data.curves[i * bys.size() + by].panels[panel].push_back({*x, y.value_or(kNoValue)});
     }

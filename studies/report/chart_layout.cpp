@@ -161,7 +161,8 @@ class Layouter {
     for (size_t i = 0; i < needs_.legend.size(); ++i) {
       if (!one_row) x = kEdgePx + pitch * static_cast<double>(i / rows);
       const double at_y = y + entry_height() * static_cast<double>(i % rows);
-      const int room = one_row ? kChartWidthPx : static_cast<int>(pitch) - kEntryGapPx - kLegendMarkPx - kMarkGapPx;
+      const int room =
+          one_row ? kChartWidthPx : static_cast<int>(pitch) - kEntryGapPx - kLegendMarkPx - kMarkGapPx;
       layout_.legend_marks.push_back({x, at_y});
       layout_.texts.push_back(
           {shortened(needs_.legend[i], room, kLabelSizePx), x + kLegendMarkPx + kMarkGapPx, at_y});

@@ -114,6 +114,9 @@ TEST(ChartData, a_log_axis_counts_what_it_cannot_show) {
   const LineData data = line_data(chart, table_of("k,f1\n1,0\n2,-1\n3,2\n4,\n"));
   EXPECT_THAT(points(data), ElementsAre("1:-", "2:-", "3:2", "4:-"));
   EXPECT_EQ(data.off_scale, 2U);
+  const LineData along_x = line_data(lines_chart(number("k", Scale::log)), table_of("k,f1\n-1,1\n,1\n2,1\n"));
+  EXPECT_THAT(points(along_x), ElementsAre("2:1"));
+  EXPECT_EQ(along_x.off_scale, 1U) << "a missing x is no value below 0";
 }
 
 TEST(ChartData, zero_that_means_something_else_comes_last) {
