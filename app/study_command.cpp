@@ -63,10 +63,13 @@ void print_plan(const StudySpec& spec) {
   std::vector<std::string> sides;
   for (const Axis& axis : spec.axes) sides.push_back(std::to_string(axis.values.size()));
   const ImageParams& image = spec.base.image;
-  const double bytes = 3.0 * image.width * image.height * static_cast<double>(count * spec.show.size());
-  fmt::print("{}: {} cell{}{} of {} x {} px, at most {}\n", spec.title,
+  if (!spec.axes.empty() && !spec.variants.empty()) sides.push_back(std::to_string(spec.variants.size()));
+  const std::string views = spec.views.size() > 1 ? fmt::format(" in {} views", spec.views.size()) : "";
+  const size_t pictures = count * view_count(spec) * spec.show.size();
+  const double bytes = 3.0 * image.width * image.height * static_cast<double>(pictures);
+  fmt::print("{}: {} cell{}{}{} of {} x {} px, at most {}\n", spec.title,
              with_commas(static_cast<long long>(count)), count == 1 ? "" : "s",
-             sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", image.width, image.height,
+             sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", views, image.width, image.height,
              readable_bytes(bytes));
   std::fflush(stdout);
 }
@@ -93,6 +96,7 @@ bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
   line.finish(result.progress);
   for (const fs::path& grid : result.grids) fmt::print("{}\n", grid.string());
   for (const DrawnChart& chart : result.charts) fmt::print("{}\n", chart.png.string());
+  if (!result.page.empty()) fmt::print("{}\n", result.page.string());
   std::fflush(stdout);
   for (size_t i = 0; i < std::min<size_t>(result.failures.size(), 10); ++i) {
     fmt::print(stderr, "inkbench: error: {}\n", result.failures[i]);

@@ -10,7 +10,7 @@ mkdir -p docs/images
 for figure in "$out"/figures/*/; do
   cp "$figure/grid.png" "docs/images/$(basename "$figure").png"
 done
-for study in k_comparison buffers fewer_triangles; do
+for study in k_comparison buffers edge_quality_quick; do
   ./run study "studies/$study.toml" --out "$out/$study" >/dev/null
   cp "$out/$study/grid.png" "docs/images/$study.png"
 done

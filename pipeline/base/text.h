@@ -22,6 +22,9 @@ std::string join(std::span<const std::string> parts, std::string_view separator)
 std::vector<std::string> split(std::string_view text, char separator);
 std::string_view trim(std::string_view text);
 
+/// As one word of a shell's command line: in single quotes where it needs them.
+std::string shell_word(const std::string& text);
+
 /// The candidate with the smallest edit distance to `name`, or "" where none is near enough to be meant.
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 

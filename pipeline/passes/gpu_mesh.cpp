@@ -1,5 +1,7 @@
 #include "pipeline/passes/gpu_mesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "pipeline/base/files.h"
@@ -18,6 +20,15 @@ void attach(const VertexArray& vertex_array, GLuint attribute, const Buffer& buf
   glEnableVertexArrayAttrib(vertex_array.id(), attribute);
   glVertexArrayAttribFormat(vertex_array.id(), attribute, 3, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayAttribBinding(vertex_array.id(), attribute, attribute);
+}
+
+/// A count that cannot be reached is no error, but must not pass for what was asked.
+void note_if_missed(const ModelParams& model, const MeshParams& level, size_t reached) {
+  const auto asked = static_cast<size_t>(level.faces);
+  if (asked == 0 || (reached + 1 >= asked && reached <= asked)) return;
+  log_note(fmt::format("model '{}': {} faces asked, {} drawn ({})", model.name, with_commas(level.faces),
+                       with_commas(static_cast<long long>(reached)),
+                       reached > asked ? "decimation ends there" : "it has no more"));
 }
 
 }  // namespace
@@ -108,6 +119,7 @@ const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level)
   if (found != meshes_.end()) return found->second;
   const Mesh drawn = drawn_mesh(model, level);
   for (const std::string& note : drawn.notes) log_note("model '" + model.name + "': " + note);
+  note_if_missed(model, level, drawn.triangles.size());
   const Bounds placement = level == MeshParams{} ? bounds_of(drawn) : bounds_of(ladder_->full);
   return meshes_.emplace(key, GpuMesh("mesh of " + model.name, drawn, placement)).first->second;
 }

@@ -21,6 +21,7 @@ class GpuMesh {
   /// levels stand still.
   GpuMesh(const std::string& label, const Mesh& mesh, const Bounds& placement);
   void draw() const;
+  size_t face_count() const { return static_cast<size_t>(index_count_) / 3; }
   const Bounds& bounds() const { return bounds_; }
   const Bounds& placement() const { return placement_; }
   bool closed_outwards() const { return closed_outwards_; }

@@ -2,17 +2,15 @@
 
 #include "studies/measures/distance.h"
 #include "studies/measures/matching.h"
-#include "studies/measures/measures.h"
 
 namespace inkbench {
 namespace {
 
-double f1_against(const LineMap& prediction, const LineView& full, double tolerance_px) {
-  return measures_of(tally_lines({.prediction = prediction,
-                                  .reference = full.wanted,
-                                  .allowed = &full.allowed,
-                                  .tolerance_px = tolerance_px}))
-      .f1;
+F1Counts against(const LineMap& prediction, const LineView& full, double tolerance_px) {
+  return tally_f1({.prediction = prediction,
+                   .reference = full.wanted,
+                   .allowed = &full.allowed,
+                   .tolerance_px = tolerance_px});
 }
 
 LineMap inner_pixels(const LineMap& thinned, const LineMap& outline, double tolerance_px) {
@@ -26,27 +24,37 @@ LineMap inner_pixels(const LineMap& thinned, const LineMap& outline, double tole
   return inner;
 }
 
-std::optional<double> matched_share(const LineMap& part, const LineMap& other, double tolerance_px) {
-  const int64_t count = part.count();
-  if (count == 0) return std::nullopt;
-  return static_cast<double>(matched_count(part, other, tolerance_px)) / static_cast<double>(count);
+ShareCounts matched_share(const LineMap& part, const LineMap& other, double tolerance_px) {
+  return {matched_count(part, other, tolerance_px), part.count()};
 }
 
 }  // namespace
 
-LadderMeasures measure_against_full(const LineView& level, const LineView& full, double tolerance_px) {
-  LadderMeasures result;
-  result.f1_geometry = f1_against(level.wanted, full, tolerance_px);
-  result.f1_end_to_end = f1_against(level.drawn, full, tolerance_px);
-  const LineMap level_drawn = counted_lines(level.drawn);
-  const LineMap full_drawn = counted_lines(full.drawn);
+void LadderTally::add(const LadderTally& other) {
+  geometry.add(other.geometry);
+  end_to_end.add(other.end_to_end);
+}
+
+LadderTally tally_against_full(const LineView& level, const LineView& full, double tolerance_px) {
+  return {against(level.wanted, full, tolerance_px), against(level.drawn, full, tolerance_px)};
+}
+
+void InnerTally::add(const InnerTally& other) {
+  kept.add(other.kept);
+  known.add(other.known);
+}
+
+std::optional<double> InnerTally::new_share() const {
+  const std::optional<double> share = known.share();
+  return share ? std::optional(1.0 - *share) : std::nullopt;
+}
+
+InnerTally tally_inner(const LineView& level, const LineView& full, double tolerance_px) {
+  const LineMap level_drawn = counted_lines(level.drawn), full_drawn = counted_lines(full.drawn);
   const LineMap full_inner = inner_pixels(full_drawn, full.outline, tolerance_px);
   const LineMap level_inner = inner_pixels(level_drawn, level.outline, tolerance_px);
-  result.internal_kept = matched_share(full_inner, level_drawn, tolerance_px);
-  if (const std::optional<double> known = matched_share(level_inner, full_drawn, tolerance_px)) {
-    result.internal_new = 1.0 - *known;
-  }
-  return result;
+  return {matched_share(full_inner, level_drawn, tolerance_px),
+          matched_share(level_inner, full_drawn, tolerance_px)};
 }
 
 }  // namespace inkbench

@@ -17,19 +17,30 @@ struct LineView {
   LineMap outline;  ///< The silhouette, boundary and object lines among the wanted.
 };
 
-struct LadderMeasures {
-  double f1_geometry = 0;    ///< The level's wanted lines against the full mesh's.
-  double f1_end_to_end = 0;  ///< The level's drawn lines against the full mesh's.
-  /// Share of the full mesh's drawn inner pixels that pair with drawn pixels of the level. None without inner
-  /// pixels.
-  std::optional<double> internal_kept;
-  /// Share of the level's drawn inner pixels that pair with no drawn pixel of the full mesh. None as above.
-  std::optional<double> internal_new;
+/// The counts behind the F's of a level against the full mesh. Pools by addition.
+struct LadderTally {
+  F1Counts geometry;    ///< The level's wanted lines against the full mesh's.
+  F1Counts end_to_end;  ///< The level's drawn lines against the full mesh's.
+
+  void add(const LadderTally& other);
+};
+
+/// In both F's a predicted pixel on a line that the full mesh allows is not false. `full.drawn` is not read.
+LadderTally tally_against_full(const LineView& level, const LineView& full,
+                               double tolerance_px = kTolerancePx);
+
+/// The counts behind `internal_kept` and `internal_new`. Pools by addition.
+struct InnerTally {
+  ShareCounts kept;   ///< The full mesh's drawn inner pixels that pair with drawn pixels of the level.
+  ShareCounts known;  ///< The level's drawn inner pixels that pair with drawn pixels of the full mesh.
+
+  void add(const InnerTally& other);
+  /// None where the level draws no inner pixel.
+  std::optional<double> new_share() const;
 };
 
 /// Drawn pixels are thinned; an inner one is further than twice the tolerance from every outline pixel of its
-/// own view. In both F's a predicted pixel on a line that the full mesh allows is not false.
-LadderMeasures measure_against_full(const LineView& level, const LineView& full,
-                                    double tolerance_px = kTolerancePx);
+/// own view.
+InnerTally tally_inner(const LineView& level, const LineView& full, double tolerance_px = kTolerancePx);
 
 }  // namespace inkbench

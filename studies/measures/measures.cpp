@@ -25,9 +25,8 @@ double harmonic_mean(double precision, double recall) {
   return ratio(2 * precision * recall, precision + recall);
 }
 
-double f1_of(const LineTally& tally, const MatchCounts& counts) {
-  if (tally.empty()) return 1;
-  return harmonic_mean(ratio(counts.allowed, tally.predicted), ratio(counts.matched, tally.referenced));
+double f1_at(const LineTally& tally, const MatchCounts& counts) {
+  return f1_of({tally.predicted, tally.referenced, counts});
 }
 
 double root(int64_t squared) {
@@ -115,9 +114,9 @@ Measures measures_of(const LineTally& tally) {
   m.referenced = tally.referenced;
   m.precision = m.empty ? 1 : ratio(tally.at_tolerance.allowed, tally.predicted);
   m.recall = m.empty ? 1 : ratio(tally.at_tolerance.matched, tally.referenced);
-  m.f1 = f1_of(tally, tally.at_tolerance);
-  m.f1_t1 = f1_of(tally, tally.at_1px);
-  m.f1_diag = f1_of(tally, tally.at_diagonal);
+  m.f1 = f1_at(tally, tally.at_tolerance);
+  m.f1_t1 = f1_at(tally, tally.at_1px);
+  m.f1_diag = f1_at(tally, tally.at_diagonal);
   m.chamfer = chamfer_of(tally);
   m.hd95 = hd95_of(tally);
   m.baddeley = std::sqrt(ratio(tally.baddeley_sum, static_cast<double>(tally.inside_pixels)));
@@ -130,6 +129,12 @@ Measures measures_of(const LineTally& tally) {
   set_offsets(tally.offsets, m);
   m.ink = ratio(tally.ink, tally.pixels);
   return m;
+}
+
+double f1_of(const F1Counts& counts) {
+  if (counts.predicted == 0 && counts.referenced == 0) return 1;
+  return harmonic_mean(ratio(counts.at_tolerance.allowed, counts.predicted),
+                       ratio(counts.at_tolerance.matched, counts.referenced));
 }
 
 std::span<const MeasureInfo> measure_list() {

@@ -30,6 +30,9 @@ struct Measures {
 
 Measures measures_of(const LineTally& tally);
 
+/// The F alone; 1 where neither has a line, 0 where one has none.
+double f1_of(const F1Counts& counts);
+
 /// One measure's name and how to read it.
 struct MeasureInfo {
   std::string_view key;  ///< JSON key and CSV column.

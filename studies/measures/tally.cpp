@@ -193,9 +193,33 @@ LineMap counted_lines(const LineMap& map) {
   return thinned(without_border(map));
 }
 
-RecallCounts tally_recall(const LineMap& prediction, const LineMap& class_lines, double tolerance_px) {
+ShareCounts tally_recall(const LineMap& prediction, const LineMap& class_lines, double tolerance_px) {
   const LineMap lines = counted_lines(class_lines);
   return {matched_count(counted_lines(prediction), lines, tolerance_px), lines.count()};
+}
+
+F1Counts tally_f1(const LinesToMeasure& lines) {
+  const Thinned counted{counted_lines(lines.prediction), counted_lines(lines.reference)};
+  const LineMap both_tiers =
+      lines.allowed == nullptr ? counted.reference : united(counted.reference, counted_lines(*lines.allowed));
+  return {counted.prediction.count(), counted.reference.count(),
+          match_counts(counted, lines.allowed == nullptr ? nullptr : &both_tiers, lines.tolerance_px)};
+}
+
+void ShareCounts::add(const ShareCounts& other) {
+  matched += other.matched;
+  total += other.total;
+}
+
+std::optional<double> ShareCounts::share() const {
+  if (total == 0) return std::nullopt;
+  return static_cast<double>(matched) / static_cast<double>(total);
+}
+
+void F1Counts::add(const F1Counts& other) {
+  predicted += other.predicted;
+  referenced += other.referenced;
+  at_tolerance.add(other.at_tolerance);
 }
 
 }  // namespace inkbench

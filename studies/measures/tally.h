@@ -3,6 +3,7 @@
 // averaged.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "studies/measures/histogram.h"
@@ -57,13 +58,27 @@ LineTally tally_lines(const LinesToMeasure& lines);
 /// What counts of a line map: its border set to false, then thinned.
 LineMap counted_lines(const LineMap& map);
 
-/// Recall over one class of lines alone: poolable by adding both numbers.
-struct RecallCounts {
-  int64_t matched = 0, referenced = 0;
+/// A share that pools by adding both numbers.
+struct ShareCounts {
+  int64_t matched = 0, total = 0;
+
+  void add(const ShareCounts& other);
+  /// 0 to 1; none of nothing.
+  std::optional<double> share() const;
 };
 
-/// The maximum matching of the prediction with the lines of one class, as if there were no others. The maps
-/// are not thinned.
-RecallCounts tally_recall(const LineMap& prediction, const LineMap& class_lines, double tolerance_px);
+/// The recall over one class of lines: the maximum matching of the prediction with them, as if there were no
+/// others. The maps are not thinned.
+ShareCounts tally_recall(const LineMap& prediction, const LineMap& class_lines, double tolerance_px);
+
+/// What an F at one tolerance is made of, where no other measure is wanted. Pools by addition.
+struct F1Counts {
+  int64_t predicted = 0, referenced = 0;
+  MatchCounts at_tolerance;
+
+  void add(const F1Counts& other);
+};
+
+F1Counts tally_f1(const LinesToMeasure& lines);
 
 }  // namespace inkbench

@@ -12,6 +12,12 @@ Key full_key(MeshStore& meshes, const ModelParams& model) {
   return KeyBuilder().add(meshes.full_identity(model)).add(to_text(Value(model.scale))).key();
 }
 
+/// An eight-bit depth step is larger than the visibility test's slack.
+Settings exact(Settings settings) {
+  settings.image.precision = Precision::float32;
+  return settings;
+}
+
 }  // namespace
 
 BufferSource::Part BufferSource::part(const ModelParams& model, const MeshParams& level) {
@@ -42,9 +48,12 @@ void BufferSource::free_unused(const Settings& settings) {
   std::erase_if(drawn_, [&](const auto& entry) { return !used.contains(entry.first); });
 }
 
+Key BufferSource::reference_key(const Settings& settings) {
+  return pipeline_.keys(exact(settings)).gbuffer;
+}
+
 const ReferenceLines& BufferSource::reference(const Settings& settings) {
-  Settings exact = settings;
-  exact.image.precision = Precision::float32;  // an eight-bit depth step is larger than the test's slack
+  const Settings exact = inkbench::exact(settings);
   return lines_.get(pipeline_.keys(exact).gbuffer, [&] {
     free_unused(exact);
     std::vector<SceneMesh> scene;

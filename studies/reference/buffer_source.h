@@ -27,6 +27,9 @@ class BufferSource {
   /// those of the full mesh. Kept until other settings are asked for.
   const ReferenceLines& reference(const Settings& settings);
 
+  /// Decides what `reference` gives.
+  Key reference_key(const Settings& settings);
+
   Pipeline& pipeline() { return pipeline_; }
 
  private:

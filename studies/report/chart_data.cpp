@@ -100,9 +100,11 @@ class XPlaces {
 };
 
 std::string curve_label(const Chart& chart, const ChartColumn& y, const std::string& by) {
-  if (!chart.by || by.empty()) return y.label;
+  // Where the axis names no unit, each curve names its own.
+  const std::string label = chart.y.size() > 1 && chart.y_label.empty() ? axis_text(y) : y.label;
+  if (!chart.by || by.empty()) return label;
   const std::string value = readable_field(*chart.by, by);
-  return chart.y.size() == 1 ? value : y.label + ", " + value;
+  return chart.y.size() == 1 ? value : label + ", " + value;
 }
 
 std::vector<LineCurve> empty_curves(const Chart& chart, const FieldOrder& bys, size_t panels) {

@@ -52,7 +52,7 @@ class Layouter {
   }
 
  private:
-  bool has_headings() const { return !needs_.panel_label.empty(); }
+  bool has_headings() const { return needs_.headings.size() > 1 || !needs_.headings.front().empty(); }
 
   void measure_widths() {
     const double name_px = needs_.y_label.empty() ? 0 : line_height_px(kLabelSizePx);
@@ -62,11 +62,13 @@ class Layouter {
     panel_width_ = (right_ - left_ - (columns - 1) * kPanelGapPx) / columns;
     short_headings_ =
         std::any_of(needs_.headings.begin(), needs_.headings.end(), [&](const std::string& value) {
-          return has_headings() && width_of(heading(value), kLabelSizePx) > panel_width_;
+          return !needs_.panel_label.empty() && width_of(heading(value), kLabelSizePx) > panel_width_;
         });
   }
 
-  std::string heading(const std::string& value) const { return needs_.panel_label + ": " + value; }
+  std::string heading(const std::string& value) const {
+    return needs_.panel_label.empty() ? value : needs_.panel_label + ": " + value;
+  }
 
   void place_title() {
     double y = kEdgePx;

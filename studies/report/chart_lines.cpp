@@ -130,7 +130,8 @@ class LinesScript {
   }
 
   void add_legend(LayoutNeeds& needs) const {
-    if (chart_.by && chart_.y.size() == 1) needs.legend_heading = one_line(axis_text(*chart_.by)) + ":";
+    if (chart_.by && chart_.y.size() == 1 && !chart_.by->names_itself)
+      needs.legend_heading = one_line(axis_text(*chart_.by)) + ":";
     for (const LineCurve& curve : data_.curves) {
       bool has_values = false;
       for (size_t panel = 0; panel < data_.panels.size(); ++panel)

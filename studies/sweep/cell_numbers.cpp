@@ -9,6 +9,8 @@
 namespace inkbench {
 namespace {
 
+constexpr int64_t kKeptDrawingsBytes = 64 << 20;
+
 LineMap drawn_lines(const Image& combined_edges) {
   LineMap map(combined_edges.width_px, combined_edges.height_px);
   for (int y = 0; y < map.height_px(); ++y) {
@@ -29,72 +31,116 @@ std::vector<Polyline> lines_to_follow(const ReferenceLines& lines) {
   return result;
 }
 
-std::string recall_text(const LineMap& drawn, const LineMap& lines) {
-  const RecallCounts counts = tally_recall(drawn, lines, kTolerancePx);
-  if (counts.referenced == 0) return "";
-  return shortest(static_cast<double>(counts.matched) / static_cast<double>(counts.referenced));
-}
-
-using Texts = std::map<std::string, std::string, std::less<>>;
-
-LineView line_view(const LineMap& drawn, const ReferenceLines& lines) {
+LineView line_view(const ReferenceLines& lines) {
   LineMap outline = class_map(lines, LineClass::silhouette);
   for (const LineClass line_class : {LineClass::boundary, LineClass::object}) {
     outline = united(outline, class_map(lines, line_class));
   }
-  return {drawn, tier_map(lines, 1), tier_map(lines, 2), outline};
-}
-
-Texts measure_texts(const LineView& view, const ReferenceLines& lines) {
-  const std::vector<Polyline> followed = lines_to_follow(lines);
-  const Measures measures = measures_of(tally_lines(
-      {.prediction = view.drawn, .reference = view.wanted, .allowed = &view.allowed, .polylines = followed}));
-  Texts texts{{"empty", measures.empty ? "true" : "false"}, {"f1_detector", shortest(measures.f1)}};
-  for (const MeasureInfo& info : measure_list()) texts.emplace(info.key, measure_text(info, measures));
-  for (const LineClass line_class : kLineClasses) {
-    texts.emplace("recall_" + std::string(name_of(line_class)),
-                  recall_text(view.drawn, class_map(lines, line_class)));
-  }
-  return texts;
+  return {{}, tier_map(lines, 1), tier_map(lines, 2), outline};
 }
 
 std::string optional_text(const std::optional<double>& value) {
   return value ? shortest(*value) : "";
 }
 
-void add_ladder_texts(const LadderMeasures& measures, Texts& texts) {
-  texts.emplace("f1_geometry", shortest(measures.f1_geometry));
-  texts.emplace("f1_end_to_end", shortest(measures.f1_end_to_end));
-  texts.emplace("internal_kept", optional_text(measures.internal_kept));
-  texts.emplace("internal_new", optional_text(measures.internal_new));
+using Texts = std::map<std::string, std::string, std::less<>>;
+
+Texts measure_texts(const CellTally& tally) {
+  const Measures measures = measures_of(tally.lines);
+  Texts texts{{"empty", measures.empty ? "true" : "false"},
+              {"faces", std::to_string(tally.faces)},
+              {"f1_detector", shortest(measures.f1)},
+              {"f1_geometry", shortest(f1_of(tally.ladder.geometry))},
+              {"f1_end_to_end", shortest(f1_of(tally.ladder.end_to_end))},
+              {"internal_kept", optional_text(tally.inner.kept.share())},
+              {"internal_new", optional_text(tally.inner.new_share())}};
+  for (const MeasureInfo& info : measure_list()) texts.emplace(info.key, measure_text(info, measures));
+  for (size_t i = 0; i < kLineClasses.size(); ++i) {
+    texts.emplace("recall_" + std::string(kLineClassNames[i]), optional_text(tally.recall[i].share()));
+  }
+  return texts;
 }
 
 }  // namespace
 
-const LineView& CellMeter::full_view(const Settings& settings) {
-  Settings full = settings;
-  full.mesh = MeshParams{};
-  const PassKeys keys = buffers_.pipeline().keys(full);
-  return full_.get(KeyBuilder().add(keys.gbuffer).add(keys.combine).key(), [&] {
-    const LineMap drawn = drawn_lines(buffers_.raw(full, BufferName::combined_edges));
-    return line_view(drawn, buffers_.reference(full));
-  });
+void CellTally::add(const CellTally& other) {
+  pixels += other.pixels;
+  inked += other.inked;
+  if (faces == 0) faces = other.faces;
+  lines.add(other.lines);
+  for (size_t i = 0; i < recall.size(); ++i) recall[i].add(other.recall[i]);
+  ladder.add(other.ladder);
+  inner.add(other.inner);
 }
 
-std::vector<std::string> CellMeter::numbers(const Settings& settings) {
+CellMeter::CellMeter(BufferSource& buffers, const StudySpec& spec)
+    : buffers_(buffers), spec_(spec), full_views_(view_count(spec)) {
+  wants_lines_ = wants("empty") || wants("f1_detector");
+  for (const MeasureInfo& info : measure_list()) wants_lines_ = wants_lines_ || wants(info.key);
+  wants_inner_ = wants("internal_kept") || wants("internal_new");
+  wants_ladder_ = wants("f1_geometry") || wants("f1_end_to_end");
+}
+
+bool CellMeter::wants(std::string_view measure) const {
+  return std::find(spec_.measures.begin(), spec_.measures.end(), measure) != spec_.measures.end();
+}
+
+/// The full mesh has its own level's normals and the cell's other settings.
+const LineMap& CellMeter::full_drawing(const Settings& full) {
+  const PassKeys keys = buffers_.pipeline().keys(full);
+  const Key key = KeyBuilder().add(keys.gbuffer).add(keys.combine).key();
+  if (const auto kept = full_drawings_.find(key); kept != full_drawings_.end()) return kept->second;
+  const int64_t bytes = int64_t{full.image.width} * full.image.height / 8;
+  if (static_cast<int64_t>(full_drawings_.size() + 1) * bytes > kKeptDrawingsBytes) full_drawings_.clear();
+  return full_drawings_[key] = drawn_lines(buffers_.raw(full, BufferName::combined_edges));
+}
+
+void CellMeter::add_ladder(const Settings& settings, size_t view, LineView& level, CellTally& tally) {
+  Settings full = settings;
+  full.mesh = MeshParams{};
+  const LineView& full_lines = full_views_[view].get(buffers_.reference_key(full),
+                                                     [&] { return line_view(buffers_.reference(full)); });
+  if (wants_ladder_) tally.ladder = tally_against_full(level, full_lines);
+  if (!wants_inner_) return;
+  LineView full_view = full_lines;
+  full_view.drawn = full_drawing(full);
+  tally.inner = tally_inner(level, full_view);
+}
+
+CellTally CellMeter::tally(const Settings& settings, size_t view) {
   const Image edges = buffers_.raw(settings, BufferName::combined_edges);
-  const auto inked =
-      std::count_if(edges.samples.begin(), edges.samples.end(), [](float e) { return e > 0.0F; });
-  std::vector<std::string> numbers{
-      shortest(static_cast<double>(inked) / static_cast<double>(edges.samples.size())),
-      std::to_string(inked)};
-  if (spec_.measures.empty()) return numbers;
+  CellTally tally;
+  tally.pixels = static_cast<int64_t>(edges.samples.size());
+  tally.inked = std::count_if(edges.samples.begin(), edges.samples.end(), [](float e) { return e > 0.0F; });
+  if (spec_.measures.empty()) return tally;
+  if (const auto model = main_model_index(settings)) {
+    MeshStore& meshes = buffers_.pipeline().meshes();
+    tally.faces = meshes.get(settings.models[*model], level_of(settings, *model)).face_count();
+  }
   const ReferenceLines& lines = buffers_.reference(settings);
-  const LineView view = line_view(drawn_lines(edges), lines);
-  Texts texts = measure_texts(view, lines);
-  const bool wants_ladder = std::any_of(spec_.measures.begin(), spec_.measures.end(),
-                                        [&](const std::string& name) { return !texts.contains(name); });
-  if (wants_ladder) add_ladder_texts(measure_against_full(view, full_view(settings)), texts);
+  LineView level = line_view(lines);
+  level.drawn = drawn_lines(edges);
+  if (wants_lines_) {
+    const std::vector<Polyline> followed = lines_to_follow(lines);
+    tally.lines = tally_lines({.prediction = level.drawn,
+                               .reference = level.wanted,
+                               .allowed = &level.allowed,
+                               .polylines = followed});
+  }
+  for (size_t i = 0; i < kLineClasses.size(); ++i) {
+    if (!wants("recall_" + std::string(kLineClassNames[i]))) continue;
+    tally.recall[i] = tally_recall(level.drawn, class_map(lines, kLineClasses[i]), kTolerancePx);
+  }
+  if (wants_ladder_ || wants_inner_) add_ladder(settings, view, level, tally);
+  return tally;
+}
+
+std::vector<std::string> CellMeter::numbers(const CellTally& tally) const {
+  std::vector<std::string> numbers{
+      shortest(static_cast<double>(tally.inked) / static_cast<double>(tally.pixels)),
+      std::to_string(tally.inked)};
+  if (spec_.measures.empty()) return numbers;
+  const Texts texts = measure_texts(tally);
   for (const std::string& name : spec_.measures) numbers.push_back(texts.at(name));
   return numbers;
 }

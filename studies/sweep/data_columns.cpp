@@ -17,6 +17,7 @@ struct MeasureText {
 
 const std::map<std::string, MeasureText>& measure_texts() {
   static const std::map<std::string, MeasureText> kTexts{
+      {"faces", {"triangles"}},
       {"ink", {"ink", "share of pixels"}},
       {"ink_px", {"ink", "px"}},
       {"f1_t1", {"f1 at 1 px"}},
@@ -51,6 +52,7 @@ ChartColumn measure_column(const std::string& name) {
     column.unit = "px";
   }
   std::replace(column.label.begin(), column.label.end(), '_', ' ');
+  if (name == "faces") column.scale = Scale::log;
   column.least_is_best = std::find(kLeastIsBest.begin(), kLeastIsBest.end(), name) != kLeastIsBest.end();
   return column;
 }
@@ -73,38 +75,12 @@ ChartColumn varied_column(const StudySpec& spec, Settings& settings, const std::
   return column;
 }
 
-/// Sets the cell's varied keys in turn; `settings` keeps those of the cell before.
-std::string text_after_setting(Settings& settings, const Assignment& assignment) {
-  const Param param = find_param(settings, assignment.key, assignment.key);
-  param.set(assignment.value, assignment.key);
-  return field_text(param.value());
-}
-
-std::vector<std::vector<std::string>> axis_texts(const StudySpec& spec) {
-  Settings settings = spec.base;
-  std::vector<std::vector<std::string>> texts;
-  for (const Axis& axis : spec.axes) {
-    texts.emplace_back();
-    for (const Value& value : axis.values)
-      texts.back().push_back(text_after_setting(settings, {axis.key, value}));
-  }
-  return texts;
-}
-
-std::vector<std::string> variant_texts(const StudySpec& spec, size_t index,
-                                       const std::vector<std::string>& keys) {
-  Settings settings = cell_settings(spec, make_cell(spec, index));
-  std::vector<std::string> texts{spec.variants[index].name};
-  for (const std::string& key : keys) texts.push_back(field_text(find_param(settings, key, key).value()));
-  return texts;
-}
-
 }  // namespace
 
 std::vector<std::string> varied_keys(const StudySpec& spec) {
   std::vector<std::string> keys;
   for (const Axis& axis : spec.axes) keys.push_back(axis.key);
-  for (const Variant& variant : spec.variants) {
+  for (const NamedSet& variant : spec.variants) {
     for (const Assignment& assignment : variant.set) {
       if (std::find(keys.begin(), keys.end(), assignment.key) == keys.end()) keys.push_back(assignment.key);
     }
@@ -119,7 +95,8 @@ std::string field_text(const Value& value) {
 
 std::vector<ChartColumn> chart_columns(const StudySpec& spec) {
   std::vector<ChartColumn> columns{{.name = "cell", .label = "cell"}};
-  if (!spec.variants.empty()) columns.push_back({.name = "variant", .label = "variant", .is_text = true});
+  if (!spec.variants.empty())
+    columns.push_back({.name = "variant", .label = "variant", .is_text = true, .names_itself = true});
   Settings settings = spec.base;
   for (const std::string& key : varied_keys(spec)) columns.push_back(varied_column(spec, settings, key));
   for (const std::string& name : number_columns(spec)) columns.push_back(measure_column(name));
@@ -130,17 +107,12 @@ CsvTable planned_table(const StudySpec& spec) {
   CsvTable table;
   for (const ChartColumn& column : chart_columns(spec)) table.columns.push_back(column.name);
   const std::vector<std::string> keys = varied_keys(spec);
-  const std::vector<std::vector<std::string>> texts = axis_texts(spec);
   for (size_t i = 0; i < cell_count(spec); ++i) {
+    const Cell cell = make_cell(spec, i);
+    Settings settings = cell_settings(spec, cell);
     std::vector<std::string> row{std::to_string(i + 1)};
-    size_t rest = i;
-    for (const std::vector<std::string>& axis : texts) {
-      row.push_back(axis[rest % axis.size()]);
-      rest /= axis.size();
-    }
-    if (!spec.variants.empty()) {
-      for (std::string& text : variant_texts(spec, i, keys)) row.push_back(std::move(text));
-    }
+    if (!spec.variants.empty()) row.push_back(cell.variant);
+    for (const std::string& key : keys) row.push_back(field_text(find_param(settings, key, key).value()));
     row.resize(table.columns.size());
     table.rows.push_back(std::move(row));
   }

@@ -6,13 +6,34 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/base/files.h"
+#include "pipeline/base/text.h"
 #include "pipeline/scene/settings_file.h"
 
 namespace inkbench {
 
+std::vector<std::pair<std::string, std::string>> study_versions() {
+  const RendererInfo renderer = renderer_info();
+  return {{"inkbench", INKBENCH_VERSION},
+          {"renderer", renderer.renderer},
+          {"OpenGL", renderer.version},
+          {"OpenMesh", INKBENCH_OPENMESH_VERSION},
+          {"OpenImageIO", INKBENCH_OPENIMAGEIO_VERSION}};
+}
+
+std::string study_command(const StudySpec& spec) {
+  const fs::path path = fs::absolute(spec.path).lexically_normal();
+  const fs::path within = path.lexically_relative(project_root());
+  const bool is_within = !within.empty() && *within.begin() != "..";
+  std::string command = "inkbench study " + shell_word((is_within ? within : path).string());
+  for (const std::string& assignment : spec.assignments) command += " --set " + shell_word(assignment);
+  return command;
+}
+
 void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyResult& result,
                     const std::string& state) {
   const RendererInfo renderer = renderer_info();
+  nlohmann::ordered_json versions;
+  for (const auto& [name, version] : study_versions()) versions[name] = version;
   std::vector<std::string> grids;
   for (const fs::path& grid : result.grids) grids.push_back(grid.filename().string());
   std::vector<std::string> charts;
@@ -22,7 +43,9 @@ void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyRe
       {"title", spec.title},
       {"state", state},
       {"version", INKBENCH_VERSION},
+      {"command", study_command(spec)},
       {"renderer", {{"name", renderer.renderer}, {"vendor", renderer.vendor}, {"opengl", renderer.version}}},
+      {"versions", versions},
       {"cells", result.progress.total},
       {"failures", result.failures},
       {"grids", grids},

@@ -3,11 +3,20 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "pipeline/gl/context.h"
 #include "studies/sweep/run_study.h"
 
 namespace inkbench {
+
+/// What the study needs to run again, by name: inkbench, renderer, OpenGL, libraries.
+std::vector<std::pair<std::string, std::string>> study_versions();
+
+/// The command that runs it: "inkbench study studies/k_sweep.toml --set ink.width=2", from the project's
+/// folder where the spec lies in it.
+std::string study_command(const StudySpec& spec);
 
 /// Writes `folder/manifest.json`. `state` is "running", "finished" or "stopped"; times stand under "times"
 /// alone, so that all else is the same for the same study.

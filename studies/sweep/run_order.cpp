@@ -29,32 +29,53 @@ int axis_cost(Pipeline& pipeline, const StudySpec& spec, const Axis& axis) {
   return change_cost(keys_at(axis.values.front()), keys_at(axis.values.back()));
 }
 
+int view_cost(Pipeline& pipeline, const StudySpec& spec) {
+  const Cell cell = make_cell(spec, 0);
+  return change_cost(pipeline.keys(view_settings(spec, cell, 0)),
+                     pipeline.keys(view_settings(spec, cell, view_count(spec) - 1)));
+}
+
+int variant_cost(Pipeline& pipeline, const StudySpec& spec) {
+  const size_t stride = cell_count(spec) / spec.variants.size();
+  const Cell first = make_cell(spec, 0), last = make_cell(spec, cell_count(spec) - stride);
+  int cost = change_cost(pipeline.keys(cell_settings(spec, first)), pipeline.keys(cell_settings(spec, last)));
+  return cost + 1;  // outside an axis of equal cost
+}
+
+/// A loop over one axis, over the variants, or over the views.
+struct Loop {
+  size_t count = 1, cell_stride = 0, view_stride = 0;
+  int cost = 0;
+};
+
+/// From the innermost as the grid has them: views, columns, rows, pages.
+std::vector<Loop> make_loops(Pipeline& pipeline, const StudySpec& spec) {
+  std::vector<Loop> loops{{view_count(spec), 0, 1, view_cost(pipeline, spec)}};
+  size_t stride = 1;
+  for (const Axis& axis : spec.axes) {
+    loops.push_back({axis.values.size(), stride, 0, axis_cost(pipeline, spec, axis)});
+    stride *= axis.values.size();
+  }
+  if (!spec.variants.empty()) {
+    loops.push_back({spec.variants.size(), stride, 0, variant_cost(pipeline, spec)});
+  }
+  // The cheapest change innermost.
+  std::stable_sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) { return a.cost < b.cost; });
+  return loops;
+}
+
 }  // namespace
 
-std::vector<size_t> run_order(Pipeline& pipeline, const StudySpec& spec) {
-  std::vector<size_t> order(cell_count(spec));
-  std::iota(order.begin(), order.end(), size_t{0});
-  if (spec.axes.size() < 2) return order;
-
-  std::vector<size_t> axes(spec.axes.size());
-  std::iota(axes.begin(), axes.end(), size_t{0});
-  std::vector<int> costs;
-  for (const Axis& axis : spec.axes) costs.push_back(axis_cost(pipeline, spec, axis));
-  // Costliest first; equal ones as the grid has them, pages outermost.
-  std::stable_sort(axes.begin(), axes.end(),
-                   [&](size_t a, size_t b) { return costs[a] != costs[b] ? costs[a] > costs[b] : a > b; });
-
-  size_t position = 0;
-  std::vector<size_t> strides{1};
-  for (const Axis& axis : spec.axes) strides.push_back(strides.back() * axis.values.size());
-  std::vector<size_t> place(spec.axes.size(), 0);
-  for (; position < order.size(); ++position) {
-    order[position] = 0;
-    for (size_t i = 0; i < place.size(); ++i) order[position] += place[i] * strides[i];
-    for (size_t i = axes.size(); i-- > 0;) {  // count up, the cheapest axis fastest
-      if (++place[axes[i]] < spec.axes[axes[i]].values.size()) break;
-      place[axes[i]] = 0;
+std::vector<CellView> run_order(Pipeline& pipeline, const StudySpec& spec) {
+  const std::vector<Loop> loops = make_loops(pipeline, spec);
+  std::vector<CellView> order(cell_count(spec) * view_count(spec));
+  std::vector<size_t> place(loops.size(), 0);
+  for (CellView& item : order) {
+    for (size_t i = 0; i < loops.size(); ++i) {
+      item.cell += place[i] * loops[i].cell_stride;
+      item.view += place[i] * loops[i].view_stride;
     }
+    for (size_t i = 0; i < loops.size() && ++place[i] == loops[i].count; ++i) place[i] = 0;
   }
   return order;
 }

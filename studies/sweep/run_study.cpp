@@ -2,38 +2,55 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <thread>
+#include <utility>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
 #include "pipeline/export.h"
 #include "pipeline/scene/settings_file.h"
 #include "studies/reference/buffer_source.h"
+#include "studies/reference/drawing.h"
 #include "studies/sweep/cell_numbers.h"
 #include "studies/sweep/manifest.h"
 #include "studies/sweep/study_folder.h"
 #include "studies/sweep/study_grid.h"
+#include "studies/sweep/study_page.h"
 #include "studies/sweep/worker_pool.h"
 
 namespace inkbench {
 namespace {
 
-/// What was drawn of one cell, on its way to the disk.
-struct DrawnCell {
-  size_t index = 0;
-  std::string name;
+/// What was drawn of one view of a cell, on its way to the disk.
+struct DrawnView {
+  CellView place;
   Settings settings;
   std::vector<Picture> pictures;  ///< One for each shown buffer.
-  std::vector<std::string> numbers;
 };
 
-Key cell_key(Pipeline& pipeline, const StudySpec& spec, const Settings& settings) {
-  const PassKeys keys = pipeline.keys(settings);
+/// A cell of which not all views are stored.
+struct OpenCell {
+  CellTally tally;
+  std::vector<std::string> overlays;  ///< By view; empty until it is drawn.
+  size_t stored = 0;
+  bool failed = false;
+};
+
+Key cell_key(Pipeline& pipeline, const StudySpec& spec, const Cell& cell) {
   KeyBuilder builder;
-  builder.add(INKBENCH_VERSION).add(settings_text(settings)).add(keys.picture);
-  for (const Key& key : {keys.ink, keys.blinn_phong, keys.quantise}) builder.add(key);
+  builder.add(INKBENCH_VERSION);
+  for (size_t view = 0; view < view_count(spec); ++view) {
+    const Settings settings = view_settings(spec, cell, view);
+    const PassKeys keys = pipeline.keys(settings);
+    builder.add(settings_text(settings)).add(keys.picture);
+    for (const Key& key : {keys.ink, keys.blinn_phong, keys.quantise}) builder.add(key);
+  }
   for (const BufferName buffer : spec.show) builder.add(name_of(buffer));
   for (const std::string& measure : spec.measures) builder.add(measure);
   return builder.key();
@@ -58,8 +75,7 @@ class StudyRun {
     std::sort(failures_.begin(), failures_.end());
     for (const auto& [index, text] : failures_) result_.failures.push_back(text);
     pipeline_.forget_results();  // room for the grid, so that it does not set the study's peak
-    if (!result_.stopped) result_.grids = write_study_grid(spec_, folder_);
-    if (!result_.stopped) result_.charts = draw_study_charts(spec_, folder_.path(), result_.failures);
+    if (!result_.stopped) write_report();
     result_.progress.seconds = seconds();
     write_manifest(folder_.path(), spec_, result_, result_.stopped ? "stopped" : "finished");
     return std::move(result_);
@@ -69,7 +85,7 @@ class StudyRun {
   std::vector<Key> cell_keys() {
     std::vector<Key> keys;
     for (size_t i = 0; i < cell_count(spec_); ++i) {
-      keys.push_back(cell_key(pipeline_, spec_, cell_settings(spec_, make_cell(spec_, i))));
+      keys.push_back(cell_key(pipeline_, spec_, make_cell(spec_, i)));
     }
     return keys;
   }
@@ -84,59 +100,105 @@ class StudyRun {
            (options_.fail_fast && result_.progress.failed > 0);
   }
 
+  void write_report() {
+    result_.charts = draw_study_charts(spec_, folder_.path(), result_.failures);
+    StudyPageWriter page(spec_, folder_, {study_command(spec_), renderer_info().renderer, study_versions()},
+                         result_.charts);
+    result_.grids = write_study_grid(spec_, folder_, [&](size_t cell, size_t shown, const Picture& picture) {
+      page.add(cell, shown, picture);
+    });
+    result_.page = page.write(result_.grids);
+  }
+
   void draw_cells() {
     const size_t threads = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, 8);
     WorkerPool encoders(threads, threads);
-    for (const size_t index : run_order(pipeline_, spec_)) {
-      if (folder_.is_done(index)) continue;
+    for (const CellView& place : run_order(pipeline_, spec_)) {
+      if (folder_.is_done(place.cell) || has_failed(place.cell)) continue;
       if (should_stop()) {
         result_.stopped = true;
         break;
       }
-      const Cell cell = make_cell(spec_, index);
       try {
-        auto drawn = std::make_shared<DrawnCell>(draw(cell));
+        auto drawn = std::make_shared<DrawnView>(draw(place));
         encoders.add([this, drawn] { store(*drawn); });
       } catch (const Error& error) {
-        fail(index, cell.name, error.what());
+        fail(place.cell, error.what());
       }
     }
     encoders.wait();
   }
 
-  DrawnCell draw(const Cell& cell) {
-    DrawnCell drawn{cell.index, cell.name, cell_settings(spec_, cell), {}, {}};
+  bool has_failed(size_t index) const {
+    const std::lock_guard lock(mutex_);
+    const auto open = open_.find(index);
+    return open != open_.end() && open->second.failed;
+  }
+
+  DrawnView draw(const CellView& place) {
+    DrawnView drawn{place, view_settings(spec_, make_cell(spec_, place.cell), place.view), {}};
     for (const BufferName buffer : spec_.show)
       drawn.pictures.push_back(buffers_.picture(drawn.settings, buffer));
-    drawn.numbers = meter_.numbers(drawn.settings);
+    const CellTally tally = meter_.tally(drawn.settings, place.view);
+    const std::string overlay = write_overlay(drawn.settings);
+    const std::lock_guard lock(mutex_);
+    OpenCell& open = open_[place.cell];
+    open.overlays.resize(view_count(spec_));
+    open.overlays[place.view] = overlay;
+    open.tally.add(tally);
     return drawn;
   }
 
+  /// Cells of equal geometry and camera share a file.
+  std::string write_overlay(const Settings& settings) {
+    const std::string name = "reference/" + buffers_.reference_key(settings).text().substr(0, 16) + ".svg";
+    if (overlays_.contains(name)) return name;
+    write_file_atomically(folder_.path() / name, reference_svg(buffers_.reference(settings)));
+    overlays_.insert(name);
+    return name;
+  }
+
   /// On an encoder's thread.
-  void store(const DrawnCell& drawn) {
+  void store(const DrawnView& drawn) {
+    const size_t index = drawn.place.cell;
     try {
       for (size_t i = 0; i < spec_.show.size(); ++i) {
-        write_png(folder_.path() / folder_.cell_file(drawn.index, spec_.show[i]), drawn.pictures[i],
-                  export_text(drawn.settings, spec_.show[i]));
+        write_png(folder_.path() / folder_.cell_file(index, drawn.place.view, spec_.show[i]),
+                  drawn.pictures[i], export_text(drawn.settings, spec_.show[i]));
       }
-      folder_.add(drawn.index, drawn.numbers);
-      report(true);
+      if (const std::optional<OpenCell> whole = note_stored(index)) {
+        folder_.add(index, meter_.numbers(whole->tally), whole->overlays);
+        report(true);
+      }
     } catch (const Error& error) {
-      fail(drawn.index, drawn.name, error.what());
+      fail(index, error.what());
     }
   }
 
-  void fail(size_t index, const std::string& name, const std::string& message) {
+  /// The cell, once all of its views are stored.
+  std::optional<OpenCell> note_stored(size_t index) {
+    const std::lock_guard lock(mutex_);
+    OpenCell& open = open_.at(index);
+    if (++open.stored < view_count(spec_) || open.failed) return std::nullopt;
+    OpenCell whole = std::move(open);
+    open_.erase(index);
+    return whole;
+  }
+
+  /// A cell fails once, whichever of its views was the first.
+  void fail(size_t index, const std::string& message) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (std::exchange(open_[index].failed, true)) return;
+      const std::string name = make_cell(spec_, index).name;
+      failures_.emplace_back(index, "cell " + std::to_string(index + 1) +
+                                        (name.empty() ? "" : " (" + name + ")") + ": " + message);
+    }
     try {
       folder_.add_failure(index, message);
     } catch (const Error&) {
       const std::lock_guard lock(mutex_);
       if (!fatal_) fatal_ = std::current_exception();  // not even the failure can be written down
-    }
-    {
-      const std::lock_guard lock(mutex_);
-      failures_.emplace_back(index, "cell " + std::to_string(index + 1) +
-                                        (name.empty() ? "" : " (" + name + ")") + ": " + message);
     }
     report(false);
   }
@@ -158,6 +220,8 @@ class StudyRun {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   StudyFolder folder_;
   StudyResult result_;
+  std::map<size_t, OpenCell> open_;
+  std::set<std::string> overlays_;  ///< Written in this run.
   std::vector<std::pair<size_t, std::string>> failures_;
   std::exception_ptr fatal_;
   mutable std::mutex mutex_;

@@ -1,6 +1,6 @@
 // Runs a study: draws its cells so that the cheapest change is innermost, encodes them beside the drawing,
-// and leaves a folder with grid.png, cells/, data.csv and manifest.json. Continues what an earlier run of the
-// same study left.
+// and leaves a folder with index.html, grid.png, cells/, data.csv and manifest.json. Continues what an
+// earlier run of the same study left.
 #pragma once
 
 #include <atomic>
@@ -38,12 +38,19 @@ struct StudyResult {
   std::vector<std::string> failures;  ///< "cell NAME: message", "chart NAME: message".
   std::vector<std::filesystem::path> grids;
   std::vector<DrawnChart> charts;
+  std::filesystem::path page;  ///< The report; empty where the study was stopped.
 };
 
 /// Errors (work): the folder cannot be written. A cell's own error is a failure in the result.
 StudyResult run_study(Pipeline& pipeline, const StudySpec& spec, const StudyOptions& options);
 
-/// The order in which cells run: indices of cells, the axis whose change costs most outermost.
-std::vector<size_t> run_order(Pipeline& pipeline, const StudySpec& spec);
+/// One drawing of a study: a cell from one of the spec's views.
+struct CellView {
+  size_t cell = 0, view = 0;
+  bool operator==(const CellView&) const = default;
+};
+
+/// The order in which cells are drawn: the axis (or the views) whose change costs most outermost.
+std::vector<CellView> run_order(Pipeline& pipeline, const StudySpec& spec);
 
 }  // namespace inkbench

@@ -31,20 +31,23 @@ class SpecReader {
   }
 
   StudySpec read(const std::vector<std::string>& assignments) {
-    check_keys(document_,
-               {"title", "purpose", "scene", "size", "show", "measure", "set", "axis", "variant", "chart"});
+    check_keys(document_, {"title", "purpose", "scene", "size", "show", "grid_px", "measure", "set", "axis",
+                           "variant", "view", "chart"});
     spec_.title = text_entry("title", path_.stem().string());
     spec_.purpose = text_entry("purpose", "");
     spec_.base = load_settings(scene_path());
     read_size();
     read_show();
+    read_grid_px();
     read_measures();
     if (const TomlNode* set = table_entry("set"))
       apply_table(spec_.base, *set, path_.string(), path_.parent_path());
     for (const std::string& assignment : assignments) apply_assignment(spec_.base, assignment);
     read_axes();
     read_variants();
+    read_views();
     check_assignments(assignments);
+    spec_.assignments = assignments;
     check_count();
     spec_.charts = read_charts(document_, spec_);
     return std::move(spec_);
@@ -130,6 +133,15 @@ class SpecReader {
       for (const TomlNode& item : node->items) names.push_back(text_of(item, "show"));
     }
     spec_.show = parse_buffers(names, node == nullptr ? path_.string() : at(*node));
+  }
+
+  void read_grid_px() {
+    const TomlNode* node = document_.find("grid_px");
+    if (node == nullptr) return;
+    const bool good = node->kind == TomlNode::Kind::integer && node->integer >= 32 && node->integer <= 16384;
+    if (!good)
+      throw input_error(at(*node), "grid_px is no side of a picture", "give a whole number from 32 to 16384");
+    spec_.grid_px = static_cast<int>(node->integer);
   }
 
   void read_measures() {
@@ -256,29 +268,86 @@ class SpecReader {
   }
 
   void read_variants() {
-    for (const TomlNode* table : tables("variant")) {
-      if (!spec_.axes.empty())
-        throw input_error(at(*table), "both [[axis]] and [[variant]]", "a study has one or the other");
-      check_keys(*table, {"name", "set"});
-      const TomlNode* name = table->find("name");
-      if (name == nullptr)
-        throw input_error(at(*table), "a [[variant]] without a name",
-                          "give it one: name = \"k_depth = 0.001\"");
-      Variant variant{text_of(*name, "name"), {}};
-      for (const Variant& other : spec_.variants) {
-        if (other.name == variant.name)
-          throw input_error(at(*name), "a second variant is named \"" + variant.name + "\"",
-                            "names must differ");
+    spec_.variants = named_sets("variant");
+    if (!spec_.variants.empty() && spec_.axes.size() > 2)
+      throw input_error(at(*tables("variant").front()), "three [[axis]] and [[variant]]",
+                        "columns, rows and pages are all taken: at most two axes beside variants");
+    for (size_t i = 0; i < spec_.variants.size(); ++i) {
+      for (const Assignment& assignment : spec_.variants[i].set) {
+        check_not_an_axis(assignment.key, "variant", at(*tables("variant")[i]));
       }
-      if (const TomlNode* set = table->find("set")) variant.set = assignments_in(*set);
-      spec_.variants.push_back(std::move(variant));
     }
   }
 
-  /// The leaves of a variant's set as assignments, checked.
-  std::vector<Assignment> assignments_in(const TomlNode& table) {
+  void read_views() {
+    spec_.views = named_sets("view");
+    for (size_t i = 0; i < spec_.views.size(); ++i) {
+      const std::string where = at(*tables("view")[i]);
+      check_view_name(spec_.views[i].name, where);
+      for (const Assignment& assignment : spec_.views[i].set) check_not_varied(assignment.key, where);
+    }
+  }
+
+  /// It becomes part of file names.
+  static void check_view_name(const std::string& name, const std::string& where) {
+    const bool good = !name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+    if (good) return;
+    throw input_error(where, "a view is named \"" + name + "\"",
+                      "its files bear its name: use 1 to 40 of a-z, 0-9, - and _");
+  }
+
+  void check_not_varied(const std::string& key, const std::string& where) {
+    check_not_an_axis(key, "view", where);
+    for (const NamedSet& variant : spec_.variants) {
+      for (const Assignment& assignment : variant.set) {
+        if (overlap(key, assignment.key))
+          throw input_error(where, "a view sets " + key + ", and so does variant \"" + variant.name + "\"",
+                            "let one of them set it");
+      }
+    }
+  }
+
+  void check_not_an_axis(const std::string& key, const std::string& kind, const std::string& where) {
+    for (const Axis& axis : spec_.axes) {
+      if (overlap(key, axis.key))
+        throw input_error(where, "a " + kind + " sets " + key + ", which an axis varies",
+                          "let one of them set it");
+    }
+  }
+
+  bool overlap(const std::string& key, const std::string& other) {
+    return find_param(spec_.base, key, key).overlaps(find_param(spec_.base, other, other));
+  }
+
+  /// Every [[variant]] or [[view]]: a name and what it sets.
+  std::vector<NamedSet> named_sets(const std::string& kind) {
+    std::vector<NamedSet> sets;
+    const std::vector<const TomlNode*> found = tables(kind);
+    if (document_.find(kind) != nullptr && found.empty())
+      throw input_error(at(*document_.find(kind)), "an empty list of " + kind + "s");
+    for (const TomlNode* table : found) {
+      check_keys(*table, {"name", "set"});
+      const TomlNode* name = table->find("name");
+      if (name == nullptr)
+        throw input_error(at(*table), "a [[" + kind + "]] without a name", "give it one: name = \"front\"");
+      NamedSet set{text_of(*name, "name"), {}};
+      for (const NamedSet& other : sets) {
+        if (other.name == set.name)
+          throw input_error(at(*name), "a second " + kind + " is named \"" + set.name + "\"",
+                            "names must differ");
+      }
+      if (const TomlNode* values = table->find("set")) set.set = assignments_in(*values, kind);
+      sets.push_back(std::move(set));
+    }
+    return sets;
+  }
+
+  /// The leaves of a variant's or view's set as assignments, checked.
+  std::vector<Assignment> assignments_in(const TomlNode& table, const std::string& kind) {
     if (!table.is_table())
-      throw input_error(at(table), "set is " + table.kind_name(), "it must be a table: [variant.set]");
+      throw input_error(at(table), "set is " + table.kind_name(), "it must be a table: [" + kind + ".set]");
     std::vector<Assignment> result;
     visit_table(spec_.base, table, "", path_.string(), [&](const Param& param, const TomlNode& node) {
       const Value value = value_from_toml(param, node, at(node), path_.parent_path().string());
@@ -299,18 +368,27 @@ class SpecReader {
           throw input_error("--set " + assignment, "is what the study's axis varies",
                             "edit the axis in " + path_.string());
       }
+      check_not_in_views(assignment, key);
+    }
+  }
+
+  void check_not_in_views(const std::string& assignment, const std::string& key) {
+    const Param param = find_param(spec_.base, key, "--set " + assignment);
+    for (const NamedSet& view : spec_.views) {
+      for (const Assignment& own : view.set) {
+        if (!param.overlaps(find_param(spec_.base, own.key, own.key))) continue;
+        throw input_error("--set " + assignment, "is what the study's views set",
+                          "edit the views in " + path_.string());
+      }
     }
   }
 
   void check_count() const {
-    double count = 1;
+    auto count = static_cast<double>(std::max<size_t>(1, spec_.variants.size()));
     for (const Axis& axis : spec_.axes) count *= static_cast<double>(axis.values.size());
     if (count > kMaxCells)
       throw input_error(path_.string(), fmt::format("{:.0f} cells", count),
                         "at most " + with_commas(kMaxCells));
-    const TomlNode* variants = document_.find("variant");
-    if (variants != nullptr && variants->items.empty())
-      throw input_error(at(*variants), "an empty list of variants");
     const TomlNode* axes = document_.find("axis");
     if (axes != nullptr && axes->items.empty()) throw input_error(at(*axes), "an empty list of axes");
   }
@@ -355,8 +433,7 @@ StudySpec parse_spec(const std::string& text, const fs::path& name,
 }
 
 size_t cell_count(const StudySpec& spec) {
-  if (!spec.variants.empty()) return spec.variants.size();
-  size_t count = 1;
+  size_t count = std::max<size_t>(1, spec.variants.size());
   for (const Axis& axis : spec.axes) count *= axis.values.size();
   return count;
 }
@@ -364,12 +441,6 @@ size_t cell_count(const StudySpec& spec) {
 Cell make_cell(const StudySpec& spec, size_t index) {
   Cell cell;
   cell.index = index;
-  if (!spec.variants.empty()) {
-    cell.column = static_cast<int>(index);
-    cell.name = spec.variants[index].name;
-    cell.set = spec.variants[index].set;
-    return cell;
-  }
   int* const places[] = {&cell.column, &cell.row, &cell.page};
   std::vector<std::string> parts;
   size_t rest = index;
@@ -379,6 +450,13 @@ Cell make_cell(const StudySpec& spec, size_t index) {
     rest /= axis.values.size();
     cell.set.push_back({axis.key, axis.values[*places[i]]});
     parts.push_back(short_key(axis.key) + " = " + label_text(cell.set.back().value));
+  }
+  if (!spec.variants.empty()) {
+    const NamedSet& variant = spec.variants[rest];
+    *places[spec.axes.size()] = static_cast<int>(rest);
+    cell.set.insert(cell.set.end(), variant.set.begin(), variant.set.end());
+    cell.variant = variant.name;
+    parts.insert(parts.begin(), variant.name);
   }
   cell.name = join(parts, ", ");
   return cell;
@@ -392,16 +470,32 @@ Settings cell_settings(const StudySpec& spec, const Cell& cell) {
   return settings;
 }
 
+size_t view_count(const StudySpec& spec) {
+  return std::max<size_t>(1, spec.views.size());
+}
+
+Settings view_settings(const StudySpec& spec, const Cell& cell, size_t view) {
+  Settings settings = cell_settings(spec, cell);
+  if (spec.views.empty()) return settings;
+  for (const Assignment& assignment : spec.views[view].set) {
+    find_param(settings, assignment.key, spec.views[view].name).set(assignment.value, spec.views[view].name);
+  }
+  return settings;
+}
+
 void check_cells(const StudySpec& spec) {
   std::set<std::string> seen;
-  for (size_t i = 0; i < cell_count(spec); ++i) {
-    const Cell cell = make_cell(spec, i);
-    const Settings settings = cell_settings(spec, cell);
+  for (size_t i = 0; i < cell_count(spec) * view_count(spec); ++i) {
+    const Cell cell = make_cell(spec, i / view_count(spec));
+    const size_t view = i % view_count(spec);
+    const Settings settings = view_settings(spec, cell, view);
     try {
       check_settings(settings);
       check_files(settings, seen);
     } catch (const Error& error) {
-      const std::string where = spec.path.string() + (cell.name.empty() ? "" : ", cell " + cell.name);
+      std::string where = spec.path.string();
+      if (!cell.name.empty()) where += ", cell " + cell.name;
+      if (!spec.views.empty()) where += ", view " + spec.views[view].name;
       throw input_error(where, error.what());
     }
   }

@@ -23,7 +23,8 @@ struct Assignment {
   Value value;
 };
 
-struct Variant {
+/// A variant, which is a cell of its own, or a view, which is a part of every cell.
+struct NamedSet {
   std::string name;
   std::vector<Assignment> set;
 };
@@ -35,17 +36,22 @@ struct StudySpec {
   std::string purpose;  ///< One line for `inkbench study list`.
   Settings base;
   std::vector<BufferName> show;
+  int grid_px = 0;                    ///< Longer side of a picture in the grid; 0 as it is.
   std::vector<std::string> measures;  ///< Of the drawn lines against the reference; columns of data.csv.
-  std::vector<Axis> axes;  ///< Columns, rows, pages: at most three; empty where there are variants.
-  std::vector<Variant> variants;
-  std::vector<Chart> charts;  ///< Of data.csv.
+  std::vector<Axis> axes;             ///< Columns, rows, pages: at most three, at most two beside variants.
+  std::vector<NamedSet> variants;     ///< Laid out where the axes end: columns, rows or pages.
+  /// What each cell is drawn and measured from, all together: cameras, as a rule. Empty: once, as it is.
+  std::vector<NamedSet> views;
+  std::vector<std::string> assignments;  ///< `--set` texts that came on top.
+  std::vector<Chart> charts;             ///< Of data.csv.
 };
 
 /// One cell: its place in the grid and what it changes.
 struct Cell {
   size_t index = 0;  ///< In order of page, row, column.
   int column = 0, row = 0, page = 0;
-  std::string name;  ///< "k_depth = 0.001, k_normal = 0.005", for people.
+  std::string name;     ///< "k_depth = 0.001, k_normal = 0.005", for people.
+  std::string variant;  ///< Its name; empty where there are none.
   std::vector<Assignment> set;
 };
 
@@ -63,6 +69,12 @@ Cell make_cell(const StudySpec& spec, size_t index);
 
 /// Base plus the cell's overrides.
 Settings cell_settings(const StudySpec& spec, const Cell& cell);
+
+/// At least 1: a spec without views has one without a name.
+size_t view_count(const StudySpec& spec);
+
+/// The cell seen from one of the spec's views.
+Settings view_settings(const StudySpec& spec, const Cell& cell, size_t view);
 
 /// Checks every cell's settings and that the files they name exist. Errors (input): the first cell that is
 /// wrong.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <functional>
 #include <set>
 
 #include "pipeline/base/error.h"
@@ -24,8 +25,39 @@ bool is_cell_name(const std::string& name) {
   const size_t digits = name.find_first_not_of("0123456789");
   if (digits == std::string::npos || digits < 4 || name[digits] != '_' || !name.ends_with(".png"))
     return false;
-  const std::string buffer = name.substr(digits + 1, name.size() - digits - 5);
-  return std::find(kBufferNames.begin(), kBufferNames.end(), buffer) != kBufferNames.end();
+  const std::string rest = name.substr(digits, name.size() - digits - 4);  // "_final" or "_front_final"
+  return std::any_of(kBufferNames.begin(), kBufferNames.end(),
+                     [&](std::string_view buffer) { return rest.ends_with("_" + std::string(buffer)); });
+}
+
+/// Removes the files in a folder of the study that it names as its own and does not use.
+void remove_unused(const fs::path& folder, const std::set<std::string>& used,
+                   const std::function<bool(const std::string&)>& is_own_name) {
+  remove_abandoned_files(folder);
+  std::vector<fs::path> stale;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_used = used.contains((folder.filename() / name).string());
+    if (is_own_name(name) && !is_used) stale.push_back(entry.path());
+  }
+  std::error_code error;
+  for (const fs::path& path : stale) fs::remove(path, error);
+}
+
+/// "0123456789abcdef.svg".
+bool is_overlay_name(const std::string& name) {
+  return name.size() == 20 && name.ends_with(".svg") && name.find_first_not_of("0123456789abcdef") == 16;
+}
+
+/// As a record names it, relative to the study's folder.
+bool is_overlay_file(const std::string& name) {
+  constexpr std::string_view kFolder = "reference/";
+  return name.starts_with(kFolder) && is_overlay_name(name.substr(kFolder.size()));
+}
+
+std::string file_column(const StudySpec& spec, size_t view, BufferName buffer) {
+  const std::string prefix = spec.views.empty() ? "FILE_" : "FILE_" + spec.views[view].name + "_";
+  return prefix + std::string(name_of(buffer));
 }
 
 }  // namespace
@@ -50,12 +82,13 @@ StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Key
       lock_(folder_),
       keys_(std::move(keys)),
       varied_(varied_keys(spec)),
-      columns_(number_columns(spec)) {
+      numbers_(number_columns(spec)) {
   make_folder(folder_ / "cells");
+  make_folder(folder_ / "reference");
   if (!fresh) done_ = read_journal(folder_ / "journal.jsonl");
   std::erase_if(done_, [&](const auto& entry) {
     return entry.first >= keys_.size() || entry.second.key != keys_[entry.first].text() ||
-           entry.second.numbers.size() != columns_.size() || !names_its_files(entry.second) ||
+           entry.second.numbers.size() != numbers_.size() || !names_its_files(entry.second) ||
            !files_intact(folder_, entry.second);
   });
   remove_stale_files();
@@ -72,46 +105,74 @@ size_t StudyFolder::done_count() const {
   return done_.size();
 }
 
-std::string StudyFolder::cell_file(size_t index, BufferName buffer) const {
+std::string StudyFolder::cell_file(size_t index, size_t view, BufferName buffer) const {
   const size_t digits = std::max<size_t>(4, std::to_string(keys_.size()).size());
-  return fmt::format("cells/{:0{}}_{}.png", index + 1, digits, name_of(buffer));
+  const std::string view_part = spec_.views.empty() ? "" : spec_.views[view].name + "_";
+  return fmt::format("cells/{:0{}}_{}{}.png", index + 1, digits, view_part, name_of(buffer));
+}
+
+std::vector<std::string> StudyFolder::picture_files(size_t index) const {
+  std::vector<std::string> files;
+  for (size_t view = 0; view < view_count(spec_); ++view) {
+    for (const BufferName buffer : spec_.show) files.push_back(cell_file(index, view, buffer));
+  }
+  return files;
+}
+
+std::string StudyFolder::overlay_file(size_t index, size_t view) const {
+  const std::lock_guard lock(mutex_);
+  return done_.at(index).files.at(view_count(spec_) * spec_.show.size() + view).name;
 }
 
 bool StudyFolder::names_its_files(const CellRecord& record) const {
-  return std::equal(record.files.begin(), record.files.end(), spec_.show.begin(), spec_.show.end(),
-                    [&](const FileRecord& file, BufferName buffer) {
-                      return file.name == cell_file(record.index, buffer);
-                    });
+  const std::vector<std::string> pictures = picture_files(record.index);
+  if (record.files.size() != pictures.size() + view_count(spec_)) return false;
+  const auto overlays = record.files.begin() + static_cast<std::ptrdiff_t>(pictures.size());
+  return std::equal(pictures.begin(), pictures.end(), record.files.begin(), overlays,
+                    [](const std::string& name, const FileRecord& file) { return file.name == name; }) &&
+         std::all_of(overlays, record.files.end(),
+                     [](const FileRecord& file) { return is_overlay_file(file.name); });
 }
 
-std::string StudyFolder::header() const {
-  std::vector<std::string> fields{"cell"};
-  if (!spec_.variants.empty()) fields.emplace_back("variant");
-  fields.insert(fields.end(), varied_.begin(), varied_.end());
-  fields.insert(fields.end(), columns_.begin(), columns_.end());
-  fields.emplace_back("error");
-  for (const BufferName buffer : spec_.show) fields.push_back("FILE_" + std::string(name_of(buffer)));
-  return csv_line(fields);
+std::vector<std::string> StudyFolder::columns() const {
+  std::vector<std::string> names{"cell"};
+  if (!spec_.variants.empty()) names.emplace_back("variant");
+  names.insert(names.end(), varied_.begin(), varied_.end());
+  names.insert(names.end(), numbers_.begin(), numbers_.end());
+  names.emplace_back("error");
+  for (size_t view = 0; view < view_count(spec_); ++view) {
+    for (const BufferName buffer : spec_.show) names.push_back(file_column(spec_, view, buffer));
+  }
+  return names;
 }
 
-std::string StudyFolder::row(size_t index, const std::vector<std::string>& numbers,
-                             const std::string& error) const {
+std::vector<std::string> StudyFolder::fields(size_t index) const {
+  const std::lock_guard lock(mutex_);
+  if (const auto done = done_.find(index); done != done_.end()) return row(index, done->second.numbers, "");
+  if (const auto failed = failed_.find(index); failed != failed_.end()) return row(index, {}, failed->second);
+  return {};
+}
+
+std::vector<std::string> StudyFolder::row(size_t index, const std::vector<std::string>& numbers,
+                                          const std::string& error) const {
   const Cell cell = make_cell(spec_, index);
   Settings settings = cell_settings(spec_, cell);
   std::vector<std::string> fields{std::to_string(index + 1)};
-  if (!spec_.variants.empty()) fields.push_back(cell.name);
+  if (!spec_.variants.empty()) fields.push_back(cell.variant);
   for (const std::string& key : varied_) fields.push_back(field_text(find_param(settings, key, key).value()));
-  for (size_t i = 0; i < columns_.size(); ++i) fields.push_back(i < numbers.size() ? numbers[i] : "");
+  for (size_t i = 0; i < numbers_.size(); ++i) fields.push_back(i < numbers.size() ? numbers[i] : "");
   fields.push_back(error);
-  for (const BufferName buffer : spec_.show) fields.push_back(error.empty() ? cell_file(index, buffer) : "");
-  return csv_line(fields);
+  for (const std::string& file : picture_files(index)) fields.push_back(error.empty() ? file : "");
+  return fields;
 }
 
 std::string StudyFolder::data_text() const {
-  std::string text = header();
+  std::string text = csv_line(columns());
   for (size_t i = 0; i < keys_.size(); ++i) {
-    if (const auto done = done_.find(i); done != done_.end()) text += row(i, done->second.numbers, "");
-    if (const auto failed = failed_.find(i); failed != failed_.end()) text += row(i, {}, failed->second);
+    if (const auto done = done_.find(i); done != done_.end())
+      text += csv_line(row(i, done->second.numbers, ""));
+    if (const auto failed = failed_.find(i); failed != failed_.end())
+      text += csv_line(row(i, {}, failed->second));
   }
   return text;
 }
@@ -120,18 +181,12 @@ std::string StudyFolder::data_text() const {
 /// touched.
 void StudyFolder::remove_stale_files() const {
   remove_abandoned_files(folder_);
-  remove_abandoned_files(folder_ / "cells");
-  std::set<std::string> kept;
+  std::set<std::string> used;
   for (const auto& [index, record] : done_) {
-    for (const FileRecord& file : record.files) kept.insert(fs::path(file.name).filename().string());
+    for (const FileRecord& file : record.files) used.insert(file.name);
   }
-  std::vector<fs::path> stale;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "cells")) {
-    const std::string name = entry.path().filename().string();
-    if (is_cell_name(name) && !kept.contains(name)) stale.push_back(entry.path());
-  }
-  std::error_code error;
-  for (const fs::path& path : stale) fs::remove(path, error);
+  remove_unused(folder_ / "cells", used, is_cell_name);
+  remove_unused(folder_ / "reference", used, is_overlay_name);
 }
 
 void StudyFolder::rewrite() const {
@@ -152,12 +207,13 @@ void StudyFolder::append(const fs::path& path, const std::string& line) const {
   }
 }
 
-void StudyFolder::add(size_t index, std::vector<std::string> numbers) {
+void StudyFolder::add(size_t index, std::vector<std::string> numbers,
+                      const std::vector<std::string>& overlays) {
   CellRecord record{index, keys_[index].text(), std::move(numbers), {}};
-  for (const BufferName buffer : spec_.show)
-    record.files.push_back(record_file(folder_, cell_file(index, buffer)));
+  for (const std::string& file : picture_files(index)) record.files.push_back(record_file(folder_, file));
+  for (const std::string& file : overlays) record.files.push_back(record_file(folder_, file));
   const std::lock_guard lock(mutex_);
-  append(folder_ / "data.csv", row(index, record.numbers, ""));
+  append(folder_ / "data.csv", csv_line(row(index, record.numbers, "")));
   append(folder_ / "journal.jsonl", journal_line(record));
   done_[index] = std::move(record);
 }
@@ -165,7 +221,7 @@ void StudyFolder::add(size_t index, std::vector<std::string> numbers) {
 void StudyFolder::add_failure(size_t index, const std::string& message) {
   const std::lock_guard lock(mutex_);
   failed_[index] = message;
-  append(folder_ / "data.csv", row(index, {}, message));
+  append(folder_ / "data.csv", csv_line(row(index, {}, message)));
 }
 
 void StudyFolder::finish() {

@@ -1,6 +1,9 @@
 #include "studies/sweep/study_grid.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/base/text.h"
 #include "pipeline/image/image_file.h"
@@ -9,18 +12,29 @@
 namespace inkbench {
 namespace {
 
-constexpr int kGapPx = 4;  ///< Between the buffers of one cell.
+constexpr int kGapPx = 4;  ///< Between the pictures of one cell.
+
+size_t picture_count(const StudySpec& spec) {
+  return view_count(spec) * spec.show.size();
+}
+
+std::vector<std::string> names_of(const std::vector<NamedSet>& sets) {
+  std::vector<std::string> names;
+  for (const NamedSet& set : sets) names.push_back(set.name);
+  return names.empty() ? std::vector<std::string>{""} : names;
+}
 
 GridAxis axis_labels(const StudySpec& spec, size_t index) {
+  if (index == spec.axes.size() && !spec.variants.empty()) return {"", names_of(spec.variants)};
   if (index >= spec.axes.size()) return {"", {""}};
   GridAxis labels{spec.axes[index].label, {}};
   for (const Value& value : spec.axes[index].values) labels.values.push_back(label_text(value));
   return labels;
 }
 
-/// A study of a single cell has its buffers for columns; else a cell holds them all, side by side.
-bool buffers_are_columns(const StudySpec& spec) {
-  return cell_count(spec) == 1 && spec.show.size() > 1;
+/// A study of a single cell is laid out by buffer and view; else a cell holds them all, side by side.
+bool cell_is_the_grid(const StudySpec& spec) {
+  return cell_count(spec) == 1 && picture_count(spec) > 1;
 }
 
 std::vector<std::string> shown_names(const StudySpec& spec) {
@@ -29,26 +43,39 @@ std::vector<std::string> shown_names(const StudySpec& spec) {
   return names;
 }
 
-GridLayout make_layout(const StudySpec& spec) {
-  GridLayout layout;
-  layout.title = spec.title;
+void label_axes(const StudySpec& spec, GridLayout& layout) {
   const ImageParams& image = spec.base.image;
-  const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height) + " px";
+  const std::string size = fmt::format("{} x {} px", image.width, image.height);
+  if (cell_is_the_grid(spec)) {
+    layout.subtitle = size;
+    layout.columns = {"", shown_names(spec)};
+    layout.rows = {"", names_of(spec.views)};
+    return;
+  }
   layout.subtitle = join(shown_names(spec), ", ") + " at " + size;
+  if (spec.views.size() > 1) layout.subtitle += ", from left to right: " + join(names_of(spec.views), ", ");
   layout.columns = axis_labels(spec, 0);
   layout.rows = axis_labels(spec, 1);
   layout.pages = axis_labels(spec, 2);
-  if (!spec.variants.empty()) {
-    layout.columns.values.clear();
-    for (const Variant& variant : spec.variants) layout.columns.values.push_back(variant.name);
-  }
-  const int count = buffers_are_columns(spec) ? 1 : static_cast<int>(spec.show.size());
-  if (buffers_are_columns(spec)) {
-    layout.columns = {"", shown_names(spec)};
-    layout.subtitle = size;
-  }
-  layout.cell_width_px = spec.base.image.width * count + kGapPx * (count - 1);
-  layout.cell_height_px = spec.base.image.height;
+}
+
+/// Of a cell's pictures side by side, as they are.
+int cell_width_px(const StudySpec& spec) {
+  const int count = cell_is_the_grid(spec) ? 1 : static_cast<int>(picture_count(spec));
+  return spec.base.image.width * count + kGapPx * (count - 1);
+}
+
+GridLayout make_layout(const StudySpec& spec) {
+  GridLayout layout;
+  layout.title = spec.title;
+  label_axes(spec, layout);
+  const int count = cell_is_the_grid(spec) ? 1 : static_cast<int>(picture_count(spec));
+  const ImageParams& image = spec.base.image;
+  const double side = std::max(image.width, image.height);
+  const double scale = spec.grid_px == 0 ? 1.0 : std::min(1.0, spec.grid_px / side);
+  layout.cell_width_px = std::max(1, static_cast<int>(std::lround(scale * cell_width_px(spec))));
+  layout.cell_height_px = std::max(1, static_cast<int>(std::lround(scale * image.height)));
+  layout.min_cell_px *= count;
   return layout;
 }
 
@@ -68,20 +95,24 @@ void remove_further_pages(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const StudyFolder& folder) {
+std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const StudyFolder& folder,
+                                                    const PictureSink& on_picture) {
   const GridLayout layout = make_layout(spec);
+  const auto read = [&](size_t index, size_t shown) {
+    const std::vector<std::string> files = folder.picture_files(index);
+    Picture picture = read_picture(folder.path() / files[shown], 3);
+    on_picture(index, shown, picture);
+    return picture;
+  };
   const auto cell_picture = [&](int column, int row, int page) -> std::optional<Picture> {
     const size_t columns = layout.columns.values.size();
     const size_t index = (static_cast<size_t>(page) * layout.rows.values.size() + row) * columns + column;
-    if (buffers_are_columns(spec)) {
-      if (!folder.is_done(0)) return std::nullopt;
-      return read_picture(folder.path() / folder.cell_file(0, spec.show[static_cast<size_t>(column)]), 3);
-    }
-    if (!folder.is_done(index)) return std::nullopt;
-    Picture picture(layout.cell_width_px, layout.cell_height_px, 3, 255);
+    if (!folder.is_done(cell_is_the_grid(spec) ? 0 : index)) return std::nullopt;
+    if (cell_is_the_grid(spec)) return read(0, index);  // a view a row, a buffer a column
+    Picture picture(cell_width_px(spec), spec.base.image.height, 3, 255);
     int x = 0;
-    for (const BufferName buffer : spec.show) {
-      paste(picture, read_picture(folder.path() / folder.cell_file(index, buffer), 3), x);
+    for (size_t shown = 0; shown < picture_count(spec); ++shown) {
+      paste(picture, read(index, shown), x);
       x += spec.base.image.width + kGapPx;
     }
     return picture;

@@ -71,7 +71,8 @@ TEST_F(StudySpecErrors, empty_grid_is_refused) {
 TEST_F(StudySpecErrors, contradictory_axes_are_refused) {
   const std::string fov = "[[axis]]\nkey = \"camera.fov\"\nvalues = [30, 40]\n";
   expect_refused(fov + fov, {":7", "camera.fov", "second axis"});
-  expect_refused(fov + "[[variant]]\nname = \"x\"\n", {":6", "[[axis]] and [[variant]]"});
+  expect_refused(fov + "[[variant]]\nname = \"x\"\nset = { camera.fov = 20 }\n",
+                 {":6", "variant sets camera.fov"});
   expect_refused("[[axis]]\nkey = \"camera.fov\"\nvalues = [30]\nfrom = 3\n", {":6", "values and from"});
   expect_refused("[[axis]]\nkey = \"combine.threshold\"\nfrom = 0\nto = 1\ncount = 3\nscale = \"log\"\n",
                  {":3", "log", "above 0"});

@@ -75,6 +75,15 @@ TEST(ChartData, by_and_several_y_make_the_product_of_curves) {
   EXPECT_THAT(points(data, 1, 0), IsEmpty());
 }
 
+TEST(ChartData, curves_of_different_units_name_them) {
+  Chart chart = lines_chart(number("k"));
+  chart.y.push_back({.name = "gap", .label = "gap", .unit = "px"});
+  const CsvTable table = table_of("k,f1,gap\n1,0.1,2\n");
+  EXPECT_EQ(line_data(chart, table).curves[1].label, "gap");
+  chart.y_label = "";
+  EXPECT_EQ(line_data(chart, table).curves[1].label, "gap (px)");
+}
+
 TEST(ChartData, where_keeps_the_rows_with_one_of_its_values) {
   Chart chart = lines_chart(number("k"));
   chart.where = {{names("n"), {"a", "c"}}};

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "studies/measures/ladder_measures.h"
+#include "studies/measures/measures.h"
 
 namespace inkbench {
 namespace {
@@ -19,42 +20,77 @@ LineView view(const std::vector<int>& inner, int outline = 10) {
   return result;
 }
 
+double geometry(const LineView& level, const LineView& full) {
+  return f1_of(tally_against_full(level, full).geometry);
+}
+
+double end_to_end(const LineView& level, const LineView& full) {
+  return f1_of(tally_against_full(level, full).end_to_end);
+}
+
+std::optional<double> kept(const LineView& level, const LineView& full) {
+  return tally_inner(level, full).kept.share();
+}
+
 TEST(LadderMeasures, the_full_mesh_against_itself_keeps_all_and_adds_nothing) {
   const LineView full = view({30, 50});
-  const LadderMeasures same = measure_against_full(full, full);
-  EXPECT_EQ(same.f1_geometry, 1.0);
-  EXPECT_EQ(same.internal_kept, 1.0);
-  EXPECT_EQ(same.internal_new, 0.0);
+  EXPECT_EQ(geometry(full, full), 1.0);
+  EXPECT_EQ(kept(full, full), 1.0);
+  EXPECT_EQ(tally_inner(full, full).new_share(), 0.0);
 }
 
 TEST(LadderMeasures, inner_lines_lost_and_new_are_shares_of_their_own_view) {
-  const LadderMeasures changed = measure_against_full(view({30, 60}), view({30, 40, 50}));
-  EXPECT_NEAR(*changed.internal_kept, 1.0 / 3, 1e-12);
-  EXPECT_NEAR(*changed.internal_new, 1.0 / 2, 1e-12);
+  const InnerTally changed = tally_inner(view({30, 60}), view({30, 40, 50}));
+  EXPECT_NEAR(*changed.kept.share(), 1.0 / 3, 1e-12);
+  EXPECT_NEAR(*changed.new_share(), 1.0 / 2, 1e-12);
 }
 
 TEST(LadderMeasures, an_inner_line_moved_within_the_tolerance_is_kept) {
-  EXPECT_EQ(measure_against_full(view({32}), view({30})).internal_kept, 1.0);
-  EXPECT_EQ(measure_against_full(view({33}), view({30})).internal_kept, 0.0);
+  EXPECT_EQ(kept(view({32}), view({30})), 1.0);
+  EXPECT_EQ(kept(view({33}), view({30})), 0.0);
 }
 
 TEST(LadderMeasures, pixels_within_twice_the_tolerance_of_the_outline_are_not_inner) {
-  EXPECT_FALSE(measure_against_full(view({14}), view({14})).internal_kept.has_value());
-  EXPECT_TRUE(measure_against_full(view({15}), view({15})).internal_kept.has_value());
-  EXPECT_FALSE(measure_against_full(view({}), view({})).internal_new.has_value());
+  EXPECT_FALSE(kept(view({14}), view({14})).has_value());
+  EXPECT_TRUE(kept(view({15}), view({15})).has_value());
+  EXPECT_FALSE(tally_inner(view({}), view({})).new_share().has_value());
 }
 
 TEST(LadderMeasures, moved_outline_is_the_geometrys_loss) {
-  const LadderMeasures moved = measure_against_full(view({}, 20), view({}, 10));
-  EXPECT_EQ(moved.f1_geometry, 0.0);
-  EXPECT_EQ(moved.f1_end_to_end, 0.0);
+  EXPECT_EQ(geometry(view({}, 20), view({}, 10)), 0.0);
+  EXPECT_EQ(end_to_end(view({}, 20), view({}, 10)), 0.0);
 }
 
 TEST(LadderMeasures, lines_that_the_full_mesh_allows_are_not_false) {
   LineView full = view({30});
-  EXPECT_LT(measure_against_full(full, full).f1_end_to_end, 1.0);
+  EXPECT_LT(end_to_end(full, full), 1.0);
   draw_vertical(full.allowed, 30);
-  EXPECT_EQ(measure_against_full(full, full).f1_end_to_end, 1.0);
+  EXPECT_EQ(end_to_end(full, full), 1.0);
+}
+
+TEST(LadderMeasures, views_pool_by_counts) {
+  const LineView one = view({30, 50}), other = view({30, 40, 45, 60}), moved = view({30}, 20);
+  InnerTally inner = tally_inner(one, other);
+  const InnerTally second = tally_inner(moved, one);
+  inner.add(second);
+  const double both = static_cast<double>(tally_inner(one, other).kept.matched + second.kept.matched) /
+                      static_cast<double>(tally_inner(one, other).kept.total + second.kept.total);
+  EXPECT_EQ(inner.kept.share(), both);
+  LadderTally ladder = tally_against_full(one, other);
+  ladder.add(tally_against_full(moved, other));
+  // 1 found of 1 and 0 found of 1, in pixels of equal lines: precision and recall are a half, not their mean.
+  EXPECT_NEAR(f1_of(ladder.geometry), 0.5, 1e-12);
+}
+
+TEST(LadderMeasures, the_f_alone_is_the_f_among_all_measures) {
+  LineView one = view({30, 50}), other = view({32, 44}, 11);
+  draw_vertical(other.allowed, 50);
+  const F1Counts counts =
+      tally_f1({.prediction = one.drawn, .reference = other.drawn, .allowed = &other.allowed});
+  const Measures all = measures_of(
+      tally_lines({.prediction = one.drawn, .reference = other.drawn, .allowed = &other.allowed}));
+  EXPECT_EQ(f1_of(counts), all.f1);
+  EXPECT_EQ(f1_of(F1Counts{}), 1.0);
 }
 
 }  // namespace

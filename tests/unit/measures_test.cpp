@@ -313,9 +313,9 @@ TEST(Measures, recall_of_a_class_is_over_its_lines_alone) {
   LineMap drawn(100, 60), creases(100, 60);
   for (int x = 10; x < 90; ++x) creases.set(x, 20);
   for (int x = 10; x < 50; ++x) drawn.set(x, 21);
-  const RecallCounts counts = tally_recall(drawn, creases, 1);
+  const ShareCounts counts = tally_recall(drawn, creases, 1);
   EXPECT_EQ(counts.matched, 40);
-  EXPECT_EQ(counts.referenced, 80);
+  EXPECT_EQ(counts.total, 80);
 }
 
 TEST(Measures, pool_by_summing_counts) {

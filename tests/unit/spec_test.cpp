@@ -367,9 +367,70 @@ TEST(SpecVariant, errors_name_file_and_line) {
   EXPECT_EQ(parse_error("variant = []"), at(1, "an empty list of variants"));
 }
 
-TEST(SpecVariant, excludes_axes) {
-  EXPECT_EQ(parse_error(axis("combine.k_depth", "values = [1]") + "[[variant]]\nname = \"a\"\n"),
-            at(4, "both [[axis]] and [[variant]]; a study has one or the other"));
+TEST(SpecVariant, beside_axes_they_are_the_next_side_of_the_grid) {
+  const StudySpec spec = parse_spec(axis("combine.k_depth", "values = [0.25, 0.5]") +
+                                        "[[variant]]\nname = \"plain\"\n"
+                                        "[[variant]]\nname = \"thick\"\n[variant.set]\nink.colour.r = 0.5\n",
+                                    "s.toml", {});
+  ASSERT_EQ(cell_count(spec), 4U);
+  const Cell cell = make_cell(spec, 3);
+  EXPECT_EQ(cell.column, 1);
+  EXPECT_EQ(cell.row, 1);
+  EXPECT_EQ(cell.variant, "thick");
+  EXPECT_EQ(cell.name, "thick, k_depth = 0.5");
+  const Settings settings = cell_settings(spec, cell);
+  EXPECT_EQ(settings.combine.k_depth, 0.5F);
+  EXPECT_EQ(settings.ink.colour.x, 0.5F);
+  EXPECT_EQ(make_cell(spec, 1).variant, "plain");
+}
+
+TEST(SpecVariant, may_not_set_what_an_axis_varies_nor_stand_beside_three_axes) {
+  const std::string k = axis("combine.k_depth", "values = [1]");
+  EXPECT_EQ(parse_error(k + "[[variant]]\nname = \"a\"\nset = { combine.k_depth = 0.5 }"),
+            at(4, "a variant sets combine.k_depth, which an axis varies; let one of them set it"));
+  EXPECT_EQ(parse_error(k + axis("combine.k_normal", "values = [1]") +
+                        axis("combine.threshold", "values = [1]") + "[[variant]]\nname = \"a\"\n"),
+            at(10,
+               "three [[axis]] and [[variant]]; columns, rows and pages are all taken: at most two axes "
+               "beside variants"));
+}
+
+TEST(SpecView, is_a_part_of_every_cell) {
+  const StudySpec spec = parse_spec(axis("combine.k_depth", "values = [0.25, 0.5]") +
+                                        "[[view]]\nname = \"front\"\n"
+                                        "[[view]]\nname = \"far-2\"\n[view.set]\ncamera.fov = 60\n",
+                                    "s.toml", {});
+  EXPECT_EQ(cell_count(spec), 2U);
+  EXPECT_EQ(view_count(spec), 2U);
+  const Cell cell = make_cell(spec, 1);
+  EXPECT_EQ(view_settings(spec, cell, 0).camera.fov, spec.base.camera.fov);
+  const Settings far = view_settings(spec, cell, 1);
+  EXPECT_EQ(far.camera.fov, 60.0F);
+  EXPECT_EQ(far.combine.k_depth, 0.5F);
+  EXPECT_EQ(view_count(parse_spec("", "s.toml", {})), 1U);
+}
+
+TEST(SpecView, errors_name_file_and_line) {
+  EXPECT_THAT(parse_error("\n[[view]]\n"), StartsWith(at(2, "a [[view]] without a name")));
+  EXPECT_EQ(parse_error("view = []"), at(1, "an empty list of views"));
+  EXPECT_EQ(parse_error("[[view]]\nname = \"../a\"\n"),
+            at(1, "a view is named \"../a\"; its files bear its name: use 1 to 40 of a-z, 0-9, - and _"));
+  EXPECT_EQ(parse_error(axis("camera.eye", "values = [[1, 2, 3]]") +
+                        "[[view]]\nname = \"a\"\nset = { camera.eye.x = 0.5 }"),
+            at(4, "a view sets camera.eye.x, which an axis varies; let one of them set it"));
+  EXPECT_EQ(parse_error("[[variant]]\nname = \"v\"\nset = { camera.fov = 20 }\n"
+                        "[[view]]\nname = \"a\"\nset = { camera.fov = 50 }"),
+            at(4, "a view sets camera.fov, and so does variant \"v\"; let one of them set it"));
+  EXPECT_THAT(error_of([] {
+                parse_spec("[[view]]\nname = \"a\"\nset = { camera.fov = 50 }", "s.toml", {"camera.fov=20"});
+              }),
+              StartsWith("--set camera.fov=20: is what the study's views set"));
+}
+
+TEST(SpecView, whose_settings_contradict_each_other_is_named) {
+  const StudySpec spec = parse_spec(
+      "[[view]]\nname = \"front\"\n[[view]]\nname = \"bad\"\nset = { camera.near = 30 }", "s.toml", {});
+  EXPECT_THAT(error_of([&] { check_cells(spec); }), StartsWith("s.toml, view bad: "));
 }
 
 TEST(SpecCells, columns_run_fastest_then_rows_then_pages) {

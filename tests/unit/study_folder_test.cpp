@@ -1,6 +1,7 @@
 // A study's folder: what is kept of an earlier run, and how data.csv grows.
 #include "studies/sweep/study_folder.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <optional>
@@ -34,9 +35,14 @@ class StudyFolderTest : public ::testing::Test {
     return {spec_, folder_.path(), keys_of(cell_count(spec_), version), fresh};
   }
   void finish_cell(StudyFolder& study, size_t index) {
-    for (const BufferName buffer : spec_.show)
-      folder_.write(study.cell_file(index, buffer), "picture " + std::to_string(index));
-    study.add(index, {"0.5", std::to_string(100 + index)});
+    std::vector<std::string> overlays;
+    for (size_t view = 0; view < view_count(spec_); ++view) {
+      for (const BufferName buffer : spec_.show)
+        folder_.write(study.cell_file(index, view, buffer), "picture " + std::to_string(index));
+      overlays.push_back(fmt::format("reference/{:016x}.svg", index));
+      folder_.write(overlays.back(), "lines");
+    }
+    study.add(index, {"0.5", std::to_string(100 + index)}, overlays);
   }
   std::string data() const { return read_file(folder_.path() / "data.csv"); }
   std::string journal() const { return read_file(folder_.path() / "journal.jsonl"); }
@@ -195,13 +201,28 @@ TEST_F(Resume, drops_records_with_other_numbers) {
   EXPECT_THAT(done(), ElementsAre(0, 1, 3));
 }
 
+TEST_F(Resume, drops_records_whose_reference_lines_lie_elsewhere) {
+  const std::string good = "reference/0000000000000002.svg";
+  const std::string before = journal();
+  for (const char* bad : {"reference//000000000000002.svg", "reference/../0000000000002.svg",
+                          "referenc/00000000000000002.svg", "reference/000000000000000g.svg"}) {
+    std::string changed = before;
+    const size_t place = changed.find(good);
+    ASSERT_NE(place, std::string::npos);
+    folder_.write("journal.jsonl", changed.replace(place, good.size(), bad));
+    folder_.write(bad, "lines");
+    EXPECT_THAT(done(), ElementsAre(0, 1, 3)) << bad;
+    folder_.write(good, "lines");
+  }
+}
+
 TEST_F(StudyFolderTest, files_get_more_digits_in_large_studies) {
   {
     const StudyFolder small(spec_, folder_.path(), keys_of(9999), false);
-    EXPECT_EQ(small.cell_file(0, BufferName::final), "cells/0001_final.png");
+    EXPECT_EQ(small.cell_file(0, 0, BufferName::final), "cells/0001_final.png");
   }
   const StudyFolder large(spec_, folder_.path(), keys_of(10'000), false);
-  EXPECT_EQ(large.cell_file(0, BufferName::final), "cells/00001_final.png");
+  EXPECT_EQ(large.cell_file(0, 0, BufferName::final), "cells/00001_final.png");
 }
 
 TEST_F(StudyFolderTest, a_study_that_outgrew_its_digits_draws_again_what_data_csv_could_not_find) {
@@ -236,7 +257,7 @@ TEST_F(StudyFolderTest, threads_may_add_at_the_same_time) {
 
 TEST_F(StudyFolderTest, a_cell_without_its_files_cannot_be_added) {
   StudyFolder study = open();
-  error_of([&] { study.add(0, {"0", "0"}); });
+  error_of([&] { study.add(0, {"0", "0"}, {}); });
   EXPECT_FALSE(study.is_done(0));
 }
 
