@@ -17,7 +17,7 @@ struct MeasureText {
 
 const std::map<std::string, MeasureText>& measure_texts() {
   static const std::map<std::string, MeasureText> kTexts{
-      {"faces", {"triangles"}},
+      {"faces", {"triangles drawn"}},
       {"ink", {"ink", "share of pixels"}},
       {"ink_px", {"ink", "px"}},
       {"f1_t1", {"f1 at 1 px"}},

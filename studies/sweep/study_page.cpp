@@ -73,16 +73,7 @@ std::vector<std::string> facts(const StudySpec& spec, const StudyFolder& folder,
           origin.renderer, failed == 0 ? "finished" : "finished, " + count_text(failed, "cell") + " failed"};
 }
 
-PageChart page_chart(const DrawnChart& chart) {
-  PageChart shown{chart.title, read_file(chart.svg), {}};
-  for (const auto& [text, path] :
-       {std::pair{"SVG", chart.svg}, {"PNG", chart.png}, {"gnuplot script", chart.script}})
-    shown.links.push_back({text, (path.parent_path().filename() / path.filename()).string()});
-  return shown;
-}
-
-StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin,
-                    const std::vector<DrawnChart>& charts) {
+StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin) {
   StudyPage page;
   page.title = spec.title;
   page.purpose = spec.purpose;
@@ -101,7 +92,6 @@ StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const Stud
     const auto [r, g, b] = colour_of(line_class);
     page.overlay_classes.emplace_back(name_of(line_class), fmt::format("#{:02x}{:02x}{:02x}", r, g, b));
   }
-  for (const DrawnChart& chart : charts) page.charts.push_back(page_chart(chart));
   page.command = origin.command;
   page.versions = origin.versions;
   page.spec_name = spec.path.filename().string();
@@ -115,10 +105,9 @@ size_t worker_count() {
 
 }  // namespace
 
-StudyPageWriter::StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin,
-                                 const std::vector<DrawnChart>& charts)
+StudyPageWriter::StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin)
     : folder_(folder.path()),
-      page_(make_page(spec, folder, origin, charts)),
+      page_(make_page(spec, folder, origin)),
       plan_(plan_thumbnails(page_.cells.size(), view_count(spec) * spec.show.size(), thumbnail_room(page_))),
       workers_(worker_count(), worker_count()) {
   for (PageCell& cell : page_.cells) cell.thumbnails.resize(std::min(cell.pictures.size(), plan_.per_cell));
@@ -139,12 +128,18 @@ void StudyPageWriter::make_thumbnail(size_t cell, size_t shown, const Picture& p
   }
 }
 
-fs::path StudyPageWriter::write(const std::vector<fs::path>& grids) {
+fs::path StudyPageWriter::write(const std::vector<fs::path>& grids, const std::vector<DrawnChart>& charts) {
   workers_.wait();
   if (failure_) std::rethrow_exception(failure_);
   page_.links = {{"data.csv", "data.csv"}, {"manifest.json", "manifest.json"}};
   for (const fs::path& grid : grids)
     page_.links.push_back({grid.filename().string(), grid.filename().string()});
+  for (const DrawnChart& chart : charts) {
+    PageChart& shown = page_.charts.emplace_back(PageChart{chart.title, read_file(chart.svg), {}});
+    for (const auto& [text, file] :
+         {std::pair("SVG", chart.svg), {"PNG", chart.png}, {"gnuplot", chart.script}})
+      shown.links.push_back({text, ("charts" / file.filename()).string()});
+  }
   const fs::path path = folder_ / "index.html";
   write_file_atomically(path, page_html(page_));
   return path;
