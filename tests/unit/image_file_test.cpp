@@ -299,7 +299,8 @@ TEST_F(ImageFile, png_damaged_inside_is_an_input_error) {
   std::string content = read_file(file("p.png"));
   content[content.size() / 2] = static_cast<char>(content[content.size() / 2] ^ 0x55);
   write("p.png", content);
-  EXPECT_THAT(error_of([&] { read_picture(file("p.png"), 3); }), testing::StartsWith("input: "));
+  EXPECT_THAT(error_of([&] { read_picture(file("p.png"), 3); }),
+              HasSubstr("p.png: is damaged: a check sum is wrong"));
 }
 
 TEST_F(ImageFile, full_disk_is_a_work_error_and_leaves_nothing) {
@@ -376,6 +377,20 @@ TEST(PngChunks, file_is_whole_only_with_its_end) {
   EXPECT_FALSE(png_is_whole("\x89PNG\r\n\x1a\n"));
   EXPECT_FALSE(png_is_whole("\x89PNG\r\n\x1a\n\xff\xff\xff\xff IEND"s));
   EXPECT_TRUE(png_is_whole("\x89PNG\r\n\x1a\n\0\0\0\0IEND\xae\x42\x60\x82"s));
+}
+
+TEST(PngChunks, each_byte_of_a_chunk_is_in_its_check_sum) {
+  const std::string head = "\x89PNG\r\n\x1a\n"s;
+  const std::string good = png_text_chunk("name", "text") + "\0\0\0\0IEND\xae\x42\x60\x82"s;
+  EXPECT_TRUE(png_sums_are_right(head + good));
+  for (size_t i = 4; i < good.size(); ++i) {  // behind the length
+    if (i >= good.size() - 12 && i < good.size() - 8) continue;
+    std::string bad = good;
+    bad[i] = static_cast<char>(bad[i] ^ 1);
+    EXPECT_FALSE(png_sums_are_right(head + bad)) << i;
+  }
+  EXPECT_TRUE(png_sums_are_right(head)) << "no chunk, no wrong sum";
+  EXPECT_TRUE(png_sums_are_right(head + "\xff\xff\xff\xffIDATx----"s)) << "not whole";
 }
 
 }  // namespace
