@@ -97,8 +97,8 @@ bool exr_size_is_sound(std::string_view content) {
     if (name != "dataWindow" || value.size() != 16) return;
     const int64_t width = int64_t{little_endian(value.substr(8))} - little_endian(value) + 1;
     const int64_t height = int64_t{little_endian(value.substr(12))} - little_endian(value.substr(4)) + 1;
-    const auto most = static_cast<int64_t>(kMaxSamples);
-    is_sound = is_sound && width > 0 && height > 0 && width <= most / height;
+    const bool sides_are = width > 0 && height > 0 && width <= kMaxSidePx && height <= kMaxSidePx;
+    is_sound = is_sound && sides_are && width * height <= static_cast<int64_t>(kMaxSamples);
   });
   return is_sound;
 }

@@ -126,13 +126,16 @@ struct OpenImage {
 };
 
 Error size_error(const fs::path& path, const std::string& size) {
-  return input_error(path.string(), "its header asks for " + size + " samples", "at most 2^30 are read");
+  return input_error(path.string(), "its header asks for " + size + " samples",
+                     fmt::format("at most 2^30 are read, and {} px a side", kMaxSidePx));
 }
 
 void check_size(const fs::path& path, std::string_view content, const ImageSpec& spec) {
   const uint64_t pixels = static_cast<uint64_t>(spec.width) * spec.height;
   const std::string size = fmt::format("{} x {}", spec.width, spec.height);
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || pixels > kMaxSamples) {
+  const bool sides_are_sound = spec.width > 0 && spec.height > 0 && spec.depth <= 1 &&
+                               spec.width <= kMaxSidePx && spec.height <= kMaxSidePx;
+  if (!sides_are_sound || pixels > kMaxSamples) {
     throw size_error(path, fmt::format("{} x {}", size, spec.nchannels));
   }
   if (spec.nchannels < 1 || spec.nchannels > 4) {

@@ -60,6 +60,8 @@ TEST(ImageContent, an_exr_header_that_runs_past_the_end_is_cut_off) {
 
 TEST(ImageContent, an_exr_may_not_ask_for_more_than_the_limit) {
   EXPECT_TRUE(exr_size_is_sound(exr(window(0, 0, 99, 99) + '\0')));
+  EXPECT_TRUE(exr_size_is_sound(exr(window(0, 0, (1 << 17) - 1, 0) + '\0')));
+  EXPECT_FALSE(exr_size_is_sound(exr(window(0, 0, 1 << 17, 0) + '\0')));
   EXPECT_TRUE(exr_size_is_sound(exr(window(-5, -5, 5, 5) + '\0')));
   for (const std::string& bad :
        {window(0, 0, 1 << 20, 1 << 20), window(INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX),
