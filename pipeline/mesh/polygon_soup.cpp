@@ -97,24 +97,22 @@ struct OddEdges {
 };
 
 OddEdges count_odd_edges(const Mesh& mesh) {
-  struct Edge {
-    uint64_t ends;
-    bool is_rising;
-  };
-  std::vector<Edge> edges;
+  std::vector<uint64_t>
+      edges;  // 31 bits for each end, since files number points with 32 signed ones; last the sense
   edges.reserve(mesh.triangles.size() * 3);
   for (const Triangle& triangle : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
-      edges.push_back({static_cast<uint64_t>(low) << 32 | high, triangle[i] == low});
+      const uint64_t is_rising = triangle[i] == low ? 1 : 0;
+      edges.push_back(static_cast<uint64_t>(low) << 33 | static_cast<uint64_t>(high) << 1 | is_rising);
     }
   }
-  std::ranges::sort(edges, {}, &Edge::ends);
+  std::ranges::sort(edges);
   OddEdges odd;
   for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].ends == edges[begin].ends) ++end;
+    while (end < edges.size() && edges[end] >> 1 == edges[begin] >> 1) ++end;
     if (end - begin > 2) ++odd.crowded;
-    if (end - begin == 2 && edges[begin].is_rising == edges[begin + 1].is_rising) ++odd.opposite;
+    if (end - begin == 2 && edges[begin] == edges[begin + 1]) ++odd.opposite;
   }
   return odd;
 }
