@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/image/image_content.h"
 #include "pipeline/image/png_chunks.h"
 
 namespace inkbench {
@@ -31,9 +33,6 @@ using OIIO::TypeDesc;
 // filters) takes 22, 72, 98 ms and packs smooth shading worse, 20:1.
 constexpr int kPngLevel = 5;
 constexpr int kPngFilterNone = 8;  // libpng's PNG_FILTER_NONE
-
-// A picture of 16,384 x 16,384 with 4 channels. A header that asks for more is junk.
-constexpr uint64_t kMaxSamples = uint64_t{1} << 30;
 
 constexpr size_t kBufferBytes = size_t{1} << 18;
 
@@ -126,46 +125,61 @@ struct OpenImage {
   const ImageSpec& spec() const { return input->spec(); }
 };
 
-bool is_jpeg(std::string_view content) {
-  return content.starts_with("\xff\xd8\xff");
+Error size_error(const fs::path& path, const std::string& size) {
+  return input_error(path.string(), "its header asks for " + size + " samples",
+                     fmt::format("at most 2^30 are read, and {} px a side", kMaxSidePx));
 }
 
-/// Whether an end-of-image marker follows the last start-of-scan marker; neither occurs inside coded data.
-bool jpeg_is_whole(std::string_view content) {
-  const size_t scan = content.rfind("\xff\xda");
-  return scan != std::string_view::npos && content.find("\xff\xd9", scan) != std::string_view::npos;
-}
-
-bool is_cut_off(std::string_view content) {
-  return (is_png(content) && !png_is_whole(content)) || (is_jpeg(content) && !jpeg_is_whole(content));
-}
-
-void check_size(const fs::path& path, const ImageSpec& spec) {
-  const uint64_t samples = static_cast<uint64_t>(spec.width) * spec.height * spec.nchannels;
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || samples > kMaxSamples) {
-    throw input_error(path.string(),
-                      "its header asks for " + std::to_string(spec.width) + " x " +
-                          std::to_string(spec.height) + " x " + std::to_string(spec.nchannels) + " samples",
-                      "at most 2^30 are read");
+void check_size(const fs::path& path, std::string_view content, const ImageSpec& spec) {
+  const uint64_t pixels = static_cast<uint64_t>(spec.width) * spec.height;
+  const std::string size = fmt::format("{} x {}", spec.width, spec.height);
+  const bool sides_are_sound = spec.width > 0 && spec.height > 0 && spec.depth <= 1 &&
+                               spec.width <= kMaxSidePx && spec.height <= kMaxSidePx;
+  if (!sides_are_sound || pixels > kMaxSamples) {
+    throw size_error(path, fmt::format("{} x {}", size, spec.nchannels));
   }
   if (spec.nchannels < 1 || spec.nchannels > 4) {
     throw input_error(path.string(), "has " + std::to_string(spec.nchannels) + " channels",
                       "1 to 4 are read");
   }
+  if (pixels * spec.nchannels > kMaxSamples)
+    throw size_error(path, fmt::format("{} x {}", size, spec.nchannels));
+  if (!can_hold(image_format(content), content.size(), pixels)) {
+    throw input_error(path.string(), "is damaged or cut off",
+                      fmt::format("{} px do not fit into its {} bytes", size, content.size()));
+  }
+}
+
+/// Before any decoder is let near it.
+void check_content(const fs::path& path, std::string_view content) {
+  if (content.empty()) throw input_error(path.string(), "is empty", "an image is needed");
+  if (image_format(content).empty()) {
+    throw input_error(path.string(), "is not an image that can be read",
+                      "PNG, JPEG, EXR, TIFF, PGM and PPM are");
+  }
+  if (is_cut_off(content)) throw input_error(path.string(), "is cut off: the end of the image is missing");
+  if (is_png(content) && !png_sums_are_right(content))
+    throw input_error(path.string(), "is damaged: a check sum is wrong");
+  if (image_format(content) == "openexr" && !exr_size_is_sound(content)) throw size_error(path, "too many");
 }
 
 std::unique_ptr<OpenImage> open_image(const fs::path& path) {
   use_calling_thread_only();
   auto image = std::make_unique<OpenImage>(read_file(path));
-  if (image->content.empty()) throw input_error(path.string(), "is empty", "an image is needed");
-  if (is_cut_off(image->content))
-    throw input_error(path.string(), "is cut off: the end of the image is missing");
-  ImageSpec config;
+  check_content(path, image->content);
+  ImageSpec config, spec;
   config.attribute("oiio:UnassociatedAlpha", 1);
-  image->input = ImageInput::open(path.string(), &config, &image->reader);
-  const std::string message = one_line(OIIO::geterror());  // Also clears it.
-  if (!image->input) throw input_error(path.string(), "is not an image that can be read", message);
-  check_size(path, image->spec());
+  image->input = ImageInput::create(std::string(image_format(image->content)));
+  image->input->set_ioproxy(&image->reader);
+  bool is_open = false;
+  try {
+    is_open = image->input->open(path.string(), spec, config);
+  } catch (const std::exception&) {
+    // Room for what the header asks could not be made.
+  }
+  if (!is_open)
+    throw input_error(path.string(), "is not an image that can be read", one_line(image->input->geterror()));
+  check_size(path, image->content, spec);
   return image;
 }
 
@@ -177,6 +191,8 @@ ImageOf<Sample> decode(const fs::path& path, OpenImage& image, TypeDesc type) {
     if (image.input->read_image(0, 0, 0, spec.nchannels, type, result.samples.data())) return result;
   } catch (const std::bad_alloc&) {
     throw work_error(path.string(), "does not fit into memory");
+  } catch (const std::exception& error) {
+    throw input_error(path.string(), "is damaged or cut off", one_line(error.what()));
   }
   throw input_error(path.string(), "is damaged or cut off", one_line(image.input->geterror()));
 }

@@ -48,12 +48,13 @@ class PngStripWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Reads any image file as 8-bit with `channels` channels (1, 3 or 4). Grey is spread, colour becomes its
-/// Rec. 709 luma, alpha is dropped or set opaque; floats of 0 to 1 become 0 to 255 as they are. Errors
-/// (input): missing, empty, not an image, cut off in the middle, more than 2^30 samples, not 1 to 4 channels.
+/// Reads a PNG, JPEG, EXR, TIFF, PGM or PPM file, whatever its name, as 8-bit with `channels` channels (1, 3
+/// or 4). Grey is spread, colour becomes its Rec. 709 luma, alpha is dropped or set opaque; floats of 0 to 1
+/// become 0 to 255 as they are. Errors (input): missing, empty, not an image, cut off in the middle, more
+/// than 2^30 samples or 131,072 px a side, not 1 to 4 channels.
 Picture read_picture(const std::filesystem::path& path, int channels);
 
-/// Reads any image file as floats, with the file's own 1 to 4 channels; whole numbers become 0 to 1. Errors
+/// Reads an image file as floats, with the file's own 1 to 4 channels; whole numbers become 0 to 1. Errors
 /// as `read_picture`.
 Image read_image(const std::filesystem::path& path);
 

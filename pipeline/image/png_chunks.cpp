@@ -71,4 +71,16 @@ bool png_is_whole(std::string_view content) {
   return false;
 }
 
+bool png_sums_are_right(std::string_view content) {
+  size_t at = kSignature.size();
+  while (at + kChunkFrameBytes <= content.size()) {
+    const size_t length = from_big_endian(content.substr(at));
+    if (length > content.size() - at - kChunkFrameBytes) return true;
+    const std::string_view body = content.substr(at + 4, length + 4);
+    if (crc32(body) != from_big_endian(content.substr(at + 8 + length))) return false;
+    at += kChunkFrameBytes + length;
+  }
+  return true;
+}
+
 }  // namespace inkbench

@@ -20,4 +20,7 @@ bool is_png(std::string_view content);
 /// Whether the chain of chunks reaches IEND. Decoders return what they have of a file cut off; we refuse it.
 bool png_is_whole(std::string_view content);
 
+/// Whether each whole chunk has its check sum. libpng would find out too, but speaks to stderr then.
+bool png_sums_are_right(std::string_view content);
+
 }  // namespace inkbench

@@ -91,23 +91,42 @@ std::vector<uint32_t> compact(const PolygonSoup& soup, Mesh& mesh) {
   return kept;
 }
 
-/// Edges with more than two triangles.
-uint64_t count_non_manifold_edges(const Mesh& mesh) {
-  std::vector<uint64_t> edges;
+struct OddEdges {
+  uint64_t crowded = 0;   ///< Of more than two triangles.
+  uint64_t opposite = 0;  ///< Of two triangles of which one is turned over.
+};
+
+OddEdges count_odd_edges(const Mesh& mesh) {
+  std::vector<uint64_t>
+      edges;  // 31 bits for each end, since files number points with 32 signed ones; last the sense
   edges.reserve(mesh.triangles.size() * 3);
   for (const Triangle& triangle : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
-      edges.push_back(static_cast<uint64_t>(low) << 32 | high);
+      const uint64_t is_rising = triangle[i] == low ? 1 : 0;
+      edges.push_back(static_cast<uint64_t>(low) << 33 | static_cast<uint64_t>(high) << 1 | is_rising);
     }
   }
   std::ranges::sort(edges);
-  uint64_t crowded = 0;
+  OddEdges odd;
   for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end] == edges[begin]) ++end;
-    if (end - begin > 2) ++crowded;
+    while (end < edges.size() && edges[end] >> 1 == edges[begin] >> 1) ++end;
+    if (end - begin > 2) ++odd.crowded;
+    if (end - begin == 2 && edges[begin] == edges[begin + 1]) ++odd.opposite;
   }
-  return crowded;
+  return odd;
+}
+
+void note_odd_edges(const OddEdges& odd, std::vector<std::string>& notes) {
+  if (odd.crowded > 0) {
+    notes.push_back(fmt::format("Kept {}, shared by more than two faces.",
+                                counted(odd.crowded, "non-manifold edge", "non-manifold edges")));
+  }
+  if (odd.opposite > 0) {
+    notes.push_back(
+        fmt::format("Kept {} between faces turned opposite ways: a line at each, and no decimation there.",
+                    counted(odd.opposite, "edge", "edges")));
+  }
 }
 
 /// Takes the file's normals if it has any and each vertex has one of usable length; else says in one sentence
@@ -172,10 +191,7 @@ Mesh mesh_from_soup(const PolygonSoup& soup, const std::string& where) {
     mesh.notes.push_back(fmt::format("Removed {} that no drawn face uses.",
                                      counted(isolated, "isolated vertex", "isolated vertices")));
   }
-  if (const uint64_t crowded = count_non_manifold_edges(mesh); crowded > 0) {
-    mesh.notes.push_back(fmt::format("Kept {}, shared by more than two faces.",
-                                     counted(crowded, "non-manifold edge", "non-manifold edges")));
-  }
+  note_odd_edges(count_odd_edges(mesh), mesh.notes);
   const std::string why_unusable = take_normals(soup, kept, mesh);
   if (!why_unusable.empty()) mesh.notes.push_back(why_unusable);
   if (soup.normals.empty() || !why_unusable.empty()) smooth_normals(mesh);

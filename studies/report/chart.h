@@ -15,12 +15,13 @@ enum class ChartKind { lines, heatmap };
 
 /// A column of data.csv and how to read it.
 struct ChartColumn {
-  std::string name;          ///< In the table's head.
-  std::string label;         ///< For people, without the unit.
-  std::string unit;          ///< Empty where there is none.
-  std::string zero;          ///< What 0 stands for where it is no amount: "as loaded"; else empty.
-  bool is_text = false;      ///< Its fields are names, in order of appearance; else numbers.
-  bool is_measured = false;  ///< Known only once the cells are drawn.
+  std::string name;           ///< In the table's head.
+  std::string label;          ///< For people, without the unit.
+  std::string unit;           ///< Empty where there is none.
+  std::string zero;           ///< What 0 stands for where it is no amount: "as loaded"; else empty.
+  bool is_text = false;       ///< Its fields are names, in order of appearance; else numbers.
+  bool names_itself = false;  ///< Headings and legends show its fields alone.
+  bool is_measured = false;   ///< Known only once the cells are drawn.
   bool least_is_best = false;
   Scale scale = Scale::linear;
 };

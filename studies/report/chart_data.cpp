@@ -100,9 +100,11 @@ class XPlaces {
 };
 
 std::string curve_label(const Chart& chart, const ChartColumn& y, const std::string& by) {
-  if (!chart.by || by.empty()) return y.label;
+  // Where the axis names no unit, each curve names its own.
+  const std::string label = chart.y.size() > 1 && chart.y_label.empty() ? axis_text(y) : y.label;
+  if (!chart.by || by.empty()) return label;
   const std::string value = readable_field(*chart.by, by);
-  return chart.y.size() == 1 ? value : y.label + ", " + value;
+  return chart.y.size() == 1 ? value : label + ", " + value;
 }
 
 std::vector<LineCurve> empty_curves(const Chart& chart, const FieldOrder& bys, size_t panels) {
@@ -180,13 +182,15 @@ LineData line_data(const Chart& chart, const CsvTable& table) {
   if (chart.x.is_text) data.categories = places.fields();
   for (const size_t index : rows) {
     const Row& row = table.rows[index];
-    const std::optional<double> x = places.place(row[table.column(chart.x.name)]);
+    const std::string& x_field = row[table.column(chart.x.name)];
+    const std::optional<double> x = places.place(x_field);
+    const bool x_is_off = !x && number_in(x_field).has_value();
     const size_t panel = chart.panel ? panels.place(row[table.column(chart.panel->name)]) : 0;
     const size_t by = chart.by ? bys.place(row[table.column(chart.by->name)]) : 0;
     for (size_t i = 0; i < chart.y.size(); ++i) {
       std::optional<double> y = number_in(row[table.column(chart.y[i].name)]);
-      const bool is_off = !x || (y && chart.scale_y == Scale::log && *y <= 0);
-      if (is_off && y) ++data.off_scale;
+      const bool is_off = y && (x_is_off || (chart.scale_y == Scale::log && *y <= 0));
+      data.off_scale += is_off ? 1 : 0;
       if (is_off) y.reset();
       if (x) data.curves[i * bys.size() + by].panels[panel].push_back({*x, y.value_or(kNoValue)});
     }

@@ -52,7 +52,7 @@ class Layouter {
   }
 
  private:
-  bool has_headings() const { return !needs_.panel_label.empty(); }
+  bool has_headings() const { return needs_.headings.size() > 1 || !needs_.headings.front().empty(); }
 
   void measure_widths() {
     const double name_px = needs_.y_label.empty() ? 0 : line_height_px(kLabelSizePx);
@@ -62,11 +62,13 @@ class Layouter {
     panel_width_ = (right_ - left_ - (columns - 1) * kPanelGapPx) / columns;
     short_headings_ =
         std::any_of(needs_.headings.begin(), needs_.headings.end(), [&](const std::string& value) {
-          return has_headings() && width_of(heading(value), kLabelSizePx) > panel_width_;
+          return !needs_.panel_label.empty() && width_of(heading(value), kLabelSizePx) > panel_width_;
         });
   }
 
-  std::string heading(const std::string& value) const { return needs_.panel_label + ": " + value; }
+  std::string heading(const std::string& value) const {
+    return needs_.panel_label.empty() ? value : needs_.panel_label + ": " + value;
+  }
 
   void place_title() {
     double y = kEdgePx;
@@ -161,7 +163,8 @@ class Layouter {
     for (size_t i = 0; i < needs_.legend.size(); ++i) {
       if (!one_row) x = kEdgePx + pitch * static_cast<double>(i / rows);
       const double at_y = y + entry_height() * static_cast<double>(i % rows);
-      const int room = one_row ? kChartWidthPx : static_cast<int>(pitch) - kEntryGapPx - kLegendMarkPx - kMarkGapPx;
+      const int room =
+          one_row ? kChartWidthPx : static_cast<int>(pitch) - kEntryGapPx - kLegendMarkPx - kMarkGapPx;
       layout_.legend_marks.push_back({x, at_y});
       layout_.texts.push_back(
           {shortened(needs_.legend[i], room, kLabelSizePx), x + kLegendMarkPx + kMarkGapPx, at_y});

@@ -36,7 +36,7 @@ struct ChartBox {
 
 struct LayoutNeeds {
   std::string title, x_label, y_label;
-  std::string panel_label;            ///< What the headings are values of.
+  std::string panel_label;  ///< What the headings are values of; empty where they speak for themselves.
   std::vector<std::string> headings;  ///< One for each panel; a single empty one: none.
   std::string legend_heading;
   std::vector<std::string> legend;  ///< Empty: none.

@@ -130,7 +130,8 @@ class LinesScript {
   }
 
   void add_legend(LayoutNeeds& needs) const {
-    if (chart_.by && chart_.y.size() == 1) needs.legend_heading = one_line(axis_text(*chart_.by)) + ":";
+    if (chart_.by && chart_.y.size() == 1 && !chart_.by->names_itself)
+      needs.legend_heading = one_line(axis_text(*chart_.by)) + ":";
     for (const LineCurve& curve : data_.curves) {
       bool has_values = false;
       for (size_t panel = 0; panel < data_.panels.size(); ++panel)
@@ -177,7 +178,8 @@ class LinesScript {
       script_.line("array x_names[{}] = [{}]", names.size(), join(names, ", "));
       script_.line("place(text) = sum [i = 1:|x_names|] (x_names[i] eq text ? i : 0)");
     } else if (data_.zero_at) {
-      script_.line("place(x) = x > 0 ? x : {}  # a log axis has no place for 0", shortest(*data_.zero_at));
+      script_.line("place(x) = x > 0 ? x : x == 0 ? {} : NaN  # a log axis has no place for 0",
+                   shortest(*data_.zero_at));
     }
     for_each_curve([&](size_t panel, size_t i, const LineCurve& curve) {
       script_.line("set table {}", block(i, panel));

@@ -92,7 +92,7 @@ void write_texts(ScriptText& script, const ChartLayout& layout) {
 
 void set_headings(LayoutNeeds& needs, const Chart& chart, const std::vector<std::string>& panels) {
   const bool has_panels = chart.panel && !(panels.size() == 1 && panels.front().empty());
-  if (has_panels) needs.panel_label = one_line(axis_text(*chart.panel));
+  if (has_panels && !chart.panel->names_itself) needs.panel_label = one_line(axis_text(*chart.panel));
   for (const std::string& field : panels)
     needs.headings.push_back(has_panels ? readable_field(*chart.panel, field) : "");
 }

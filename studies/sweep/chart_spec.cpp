@@ -11,7 +11,7 @@
 namespace inkbench {
 namespace {
 
-constexpr size_t kMostPlanned = 50'000;  // Cells beyond which a chart is checked only when it is drawn.
+constexpr size_t kMostPlanned = 10'000;  // Cells beyond which a chart is checked only when it is drawn.
 
 void check_filters(const Chart& chart, const CsvTable& planned) {
   for (const ChartFilter& filter : chart.where) {

@@ -17,8 +17,8 @@ struct MeasureText {
 
 const std::map<std::string, MeasureText>& measure_texts() {
   static const std::map<std::string, MeasureText> kTexts{
-      {"ink", {"ink", "share of pixels"}},
       {"faces", {"triangles drawn"}},
+      {"ink", {"ink", "share of pixels"}},
       {"ink_px", {"ink", "px"}},
       {"f1_t1", {"f1 at 1 px"}},
       {"f1_diag", {"f1 at 0.75 % of the diagonal"}},
@@ -52,6 +52,7 @@ ChartColumn measure_column(const std::string& name) {
     column.unit = "px";
   }
   std::replace(column.label.begin(), column.label.end(), '_', ' ');
+  if (name == "faces") column.scale = Scale::log;
   column.least_is_best = std::find(kLeastIsBest.begin(), kLeastIsBest.end(), name) != kLeastIsBest.end();
   return column;
 }
@@ -74,38 +75,6 @@ ChartColumn varied_column(const StudySpec& spec, Settings& settings, const std::
   return column;
 }
 
-/// Sets the cell's varied keys in turn; `settings` keeps those of the cell before.
-std::string text_after_setting(Settings& settings, const Assignment& assignment) {
-  const Param param = find_param(settings, assignment.key, assignment.key);
-  param.set(assignment.value, assignment.key);
-  return field_text(param.value());
-}
-
-std::vector<std::vector<std::string>> axis_texts(const StudySpec& spec) {
-  Settings settings = spec.base;
-  std::vector<std::vector<std::string>> texts;
-  for (const Axis& axis : spec.axes) {
-    texts.emplace_back();
-    for (const Value& value : axis.values)
-      texts.back().push_back(text_after_setting(settings, {axis.key, value}));
-  }
-  return texts;
-}
-
-/// For each variant the values of the keys that variants set.
-std::vector<std::vector<std::string>> variant_texts(const StudySpec& spec) {
-  std::vector<std::string> keys = varied_keys(spec);
-  keys.erase(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(spec.axes.size()));
-  std::vector<std::vector<std::string>> texts;
-  for (size_t i = 0; i < spec.variants.size(); ++i) {
-    Settings settings = cell_settings(spec, make_cell(spec, i * (cell_count(spec) / spec.variants.size())));
-    texts.emplace_back();
-    for (const std::string& key : keys)
-      texts.back().push_back(field_text(find_param(settings, key, key).value()));
-  }
-  return texts;
-}
-
 }  // namespace
 
 std::vector<std::string> varied_keys(const StudySpec& spec) {
@@ -126,7 +95,8 @@ std::string field_text(const Value& value) {
 
 std::vector<ChartColumn> chart_columns(const StudySpec& spec) {
   std::vector<ChartColumn> columns{{.name = "cell", .label = "cell"}};
-  if (!spec.variants.empty()) columns.push_back({.name = "variant", .label = "variant", .is_text = true});
+  if (!spec.variants.empty())
+    columns.push_back({.name = "variant", .label = "variant", .is_text = true, .names_itself = true});
   Settings settings = spec.base;
   for (const std::string& key : varied_keys(spec)) columns.push_back(varied_column(spec, settings, key));
   for (const std::string& name : number_columns(spec)) columns.push_back(measure_column(name));
@@ -136,17 +106,13 @@ std::vector<ChartColumn> chart_columns(const StudySpec& spec) {
 CsvTable planned_table(const StudySpec& spec) {
   CsvTable table;
   for (const ChartColumn& column : chart_columns(spec)) table.columns.push_back(column.name);
-  const std::vector<std::vector<std::string>> texts = axis_texts(spec), set_texts = variant_texts(spec);
+  const std::vector<std::string> keys = varied_keys(spec);
   for (size_t i = 0; i < cell_count(spec); ++i) {
+    const Cell cell = make_cell(spec, i);
+    Settings settings = cell_settings(spec, cell);
     std::vector<std::string> row{std::to_string(i + 1)};
-    size_t rest = i;
-    const size_t variant = spec.variants.empty() ? 0 : i / (cell_count(spec) / spec.variants.size());
-    if (!spec.variants.empty()) row.push_back(spec.variants[variant].name);
-    for (const std::vector<std::string>& axis : texts) {
-      row.push_back(axis[rest % axis.size()]);
-      rest /= axis.size();
-    }
-    if (!spec.variants.empty()) row.insert(row.end(), set_texts[variant].begin(), set_texts[variant].end());
+    if (!spec.variants.empty()) row.push_back(cell.variant);
+    for (const std::string& key : keys) row.push_back(field_text(find_param(settings, key, key).value()));
     row.resize(table.columns.size());
     table.rows.push_back(std::move(row));
   }

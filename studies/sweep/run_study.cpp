@@ -101,12 +101,13 @@ class StudyRun {
   }
 
   void write_report() {
-    StudyPageWriter page(spec_, folder_, {study_command(spec_), renderer_info().renderer, study_versions()});
+    result_.charts = draw_study_charts(spec_, folder_.path(), result_.failures);
+    StudyPageWriter page(spec_, folder_, {study_command(spec_), renderer_info().renderer, study_versions()},
+                         result_.charts);
     result_.grids = write_study_grid(spec_, folder_, [&](size_t cell, size_t shown, const Picture& picture) {
       page.add(cell, shown, picture);
     });
-    result_.charts = draw_study_charts(spec_, folder_.path(), result_.failures);
-    result_.page = page.write(result_.grids, result_.charts);
+    result_.page = page.write(result_.grids);
   }
 
   void draw_cells() {

@@ -73,7 +73,19 @@ std::vector<std::string> facts(const StudySpec& spec, const StudyFolder& folder,
           origin.renderer, failed == 0 ? "finished" : "finished, " + count_text(failed, "cell") + " failed"};
 }
 
-StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin) {
+std::vector<PageChart> page_charts(const std::vector<DrawnChart>& charts) {
+  std::vector<PageChart> shown;
+  for (const DrawnChart& chart : charts) {
+    PageChart& entry = shown.emplace_back(PageChart{chart.title, read_file(chart.svg), {}});
+    for (const auto& [text, file] :
+         {std::pair("SVG", chart.svg), {"PNG", chart.png}, {"gnuplot", chart.script}})
+      entry.links.push_back({text, ("charts" / file.filename()).string()});
+  }
+  return shown;
+}
+
+StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin,
+                    const std::vector<DrawnChart>& charts) {
   StudyPage page;
   page.title = spec.title;
   page.purpose = spec.purpose;
@@ -92,6 +104,7 @@ StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const Stud
     const auto [r, g, b] = colour_of(line_class);
     page.overlay_classes.emplace_back(name_of(line_class), fmt::format("#{:02x}{:02x}{:02x}", r, g, b));
   }
+  page.charts = page_charts(charts);
   page.command = origin.command;
   page.versions = origin.versions;
   page.spec_name = spec.path.filename().string();
@@ -105,9 +118,10 @@ size_t worker_count() {
 
 }  // namespace
 
-StudyPageWriter::StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin)
+StudyPageWriter::StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin,
+                                 const std::vector<DrawnChart>& charts)
     : folder_(folder.path()),
-      page_(make_page(spec, folder, origin)),
+      page_(make_page(spec, folder, origin, charts)),
       plan_(plan_thumbnails(page_.cells.size(), view_count(spec) * spec.show.size(), thumbnail_room(page_))),
       workers_(worker_count(), worker_count()) {
   for (PageCell& cell : page_.cells) cell.thumbnails.resize(std::min(cell.pictures.size(), plan_.per_cell));
@@ -128,18 +142,12 @@ void StudyPageWriter::make_thumbnail(size_t cell, size_t shown, const Picture& p
   }
 }
 
-fs::path StudyPageWriter::write(const std::vector<fs::path>& grids, const std::vector<DrawnChart>& charts) {
+fs::path StudyPageWriter::write(const std::vector<fs::path>& grids) {
   workers_.wait();
   if (failure_) std::rethrow_exception(failure_);
   page_.links = {{"data.csv", "data.csv"}, {"manifest.json", "manifest.json"}};
   for (const fs::path& grid : grids)
     page_.links.push_back({grid.filename().string(), grid.filename().string()});
-  for (const DrawnChart& chart : charts) {
-    PageChart& shown = page_.charts.emplace_back(PageChart{chart.title, read_file(chart.svg), {}});
-    for (const auto& [text, file] :
-         {std::pair("SVG", chart.svg), {"PNG", chart.png}, {"gnuplot", chart.script}})
-      shown.links.push_back({text, ("charts" / file.filename()).string()});
-  }
   const fs::path path = folder_ / "index.html";
   write_file_atomically(path, page_html(page_));
   return path;

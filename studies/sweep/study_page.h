@@ -28,14 +28,14 @@ struct StudyOrigin {
 class StudyPageWriter {
  public:
   /// All cells must have ended.
-  StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin);
+  StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin,
+                  const std::vector<DrawnChart>& charts);
 
   /// Makes a picture's thumbnail on another thread. Each picture is given once, from one thread.
   void add(size_t cell, size_t shown, const Picture& picture);
 
   /// Writes index.html; returns its path. Errors (work): full disk, a thumbnail could not be made.
-  std::filesystem::path write(const std::vector<std::filesystem::path>& grids,
-                              const std::vector<DrawnChart>& charts);
+  std::filesystem::path write(const std::vector<std::filesystem::path>& grids);
 
  private:
   void make_thumbnail(size_t cell, size_t shown, const Picture& picture);

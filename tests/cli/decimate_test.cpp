@@ -44,6 +44,16 @@ TEST_F(Decimate, cached_record_changes_no_byte_and_a_damaged_one_is_made_again) 
   EXPECT_EQ(level("c"), first);
 }
 
+TEST_F(Decimate, a_cache_that_cannot_be_written_is_a_note_and_no_error) {
+  write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+  CommandOptions options;
+  options.environment["INKBENCH_CACHE"] = write("file", "").string();
+  const CommandResult result = inkbench({"decimate", "mesh.obj", "--faces", "2", "--out", "out"}, options);
+  ASSERT_TRUE(succeeds(result));
+  EXPECT_THAT(result.err, HasSubstr("not kept"));
+  EXPECT_EQ(load_mesh_file(file("out/mesh_2.ply")).triangles.size(), 2U);
+}
+
 TEST_F(Decimate, face_count_is_an_axis_of_a_study) {
   write("s.toml",
         "size = [96, 96]\nshow = [\"final\"]\nmeasure = [\"f1_geometry\", \"f1_end_to_end\", "

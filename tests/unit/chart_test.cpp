@@ -75,6 +75,15 @@ TEST(ChartData, by_and_several_y_make_the_product_of_curves) {
   EXPECT_THAT(points(data, 1, 0), IsEmpty());
 }
 
+TEST(ChartData, curves_of_different_units_name_them) {
+  Chart chart = lines_chart(number("k"));
+  chart.y.push_back({.name = "gap", .label = "gap", .unit = "px"});
+  const CsvTable table = table_of("k,f1,gap\n1,0.1,2\n");
+  EXPECT_EQ(line_data(chart, table).curves[1].label, "gap");
+  chart.y_label = "";
+  EXPECT_EQ(line_data(chart, table).curves[1].label, "gap (px)");
+}
+
 TEST(ChartData, where_keeps_the_rows_with_one_of_its_values) {
   Chart chart = lines_chart(number("k"));
   chart.where = {{names("n"), {"a", "c"}}};
@@ -114,6 +123,9 @@ TEST(ChartData, a_log_axis_counts_what_it_cannot_show) {
   const LineData data = line_data(chart, table_of("k,f1\n1,0\n2,-1\n3,2\n4,\n"));
   EXPECT_THAT(points(data), ElementsAre("1:-", "2:-", "3:2", "4:-"));
   EXPECT_EQ(data.off_scale, 2U);
+  const LineData along_x = line_data(lines_chart(number("k", Scale::log)), table_of("k,f1\n-1,1\n,1\n2,1\n"));
+  EXPECT_THAT(points(along_x), ElementsAre("2:1"));
+  EXPECT_EQ(along_x.off_scale, 1U) << "a missing x is no value below 0";
 }
 
 TEST(ChartData, zero_that_means_something_else_comes_last) {

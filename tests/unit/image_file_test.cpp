@@ -13,6 +13,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/image/png_chunks.h"
 #include "tests/unit/file_size_limit.h"
+#include "tests/unit/tiny_png.h"
 
 namespace inkbench {
 namespace {
@@ -194,41 +195,10 @@ TEST_F(ImageFile, channels_are_converted_as_documented) {
   EXPECT_EQ(read_picture(file("colour.png"), 1).samples, (std::vector<uint8_t>{54, 182}));
 }
 
-/// Apart from the writer's code, which it tests as well.
-std::string chunk(const std::string& type, const std::string& body) {
-  uint32_t crc = 0xffffffffU;
-  for (const char byte : type + body) {
-    crc ^= static_cast<uint8_t>(byte);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? 0xedb88320U ^ (crc >> 1) : crc >> 1;
-  }
-  const auto big_endian = [](uint32_t v) {
-    return std::string{static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8),
-                       static_cast<char>(v)};
-  };
-  return big_endian(static_cast<uint32_t>(body.size())) + type + body + big_endian(~crc);
-}
-
-/// A PNG of one row whose data is stored, not packed.
-std::string tiny_png(const std::string& size, char bits, char colour_type, const std::string& more,
-                     const std::string& row) {
-  uint32_t a = 1, b = 0;
-  for (const char byte : row) {
-    a = (a + static_cast<uint8_t>(byte)) % 65521;
-    b = (b + a) % 65521;
-  }
-  const auto length = static_cast<char>(row.size());
-  const std::string data = "\x78\x01\x01"s + length + '\0' + static_cast<char>(~length) + '\xff' + row +
-                           static_cast<char>(b >> 8) + static_cast<char>(b) + static_cast<char>(a >> 8) +
-                           static_cast<char>(a);
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + bits + colour_type + "\0\0\0"s) + more +
-         chunk("IDAT", data) + chunk("IEND", "");
-}
-
 TEST_F(ImageFile, palette_and_16_bit_png_are_read) {
-  const std::string two_by_one = "\0\0\0\x02\0\0\0\x01"s;
-  write("palette.png", tiny_png(two_by_one, 8, 3, chunk("PLTE", "\x01\x02\x03\xf0\xf1\xf2"), "\0\x01\0"s));
-  write("deep.png", tiny_png(two_by_one, 16, 0, "", "\0\x80\x80\xff\xff"s));
-  write("grey_alpha.png", tiny_png(two_by_one, 8, 4, "", "\0\x10\x20\x30\0"s));
+  write("palette.png", tiny_png(2, 1, 8, 3, png_chunk("PLTE", "\x01\x02\x03\xf0\xf1\xf2"), "\0\x01\0"s));
+  write("deep.png", tiny_png(2, 1, 16, 0, "", "\0\x80\x80\xff\xff"s));
+  write("grey_alpha.png", tiny_png(2, 1, 8, 4, "", "\0\x10\x20\x30\0"s));
   EXPECT_EQ(read_picture(file("palette.png"), 3).samples, (std::vector<uint8_t>{0xf0, 0xf1, 0xf2, 1, 2, 3}));
   EXPECT_EQ(read_picture(file("deep.png"), 1).samples, (std::vector<uint8_t>{0x80, 0xff}));
   EXPECT_FLOAT_EQ(read_image(file("deep.png")).at(0, 0), 0x8080 / 65535.0F);
@@ -237,7 +207,7 @@ TEST_F(ImageFile, palette_and_16_bit_png_are_read) {
 }
 
 TEST_F(ImageFile, absurd_size_in_a_header_is_refused_without_trying) {
-  write("huge.png", tiny_png("\x00\x0f\x42\x40\x00\x0f\x42\x40"s, 8, 2, "", "\0\0\0\0"s));
+  write("huge.png", tiny_png(1000000, 1000000, 8, 2, "", "\0\0\0\0"s));
   EXPECT_THAT(error_of([&] { read_picture(file("huge.png"), 3); }), HasSubstr("1000000 x 1000000"));
 }
 
@@ -278,7 +248,8 @@ TEST_F(ImageFile, png_damaged_inside_is_an_input_error) {
   std::string content = read_file(file("p.png"));
   content[content.size() / 2] = static_cast<char>(content[content.size() / 2] ^ 0x55);
   write("p.png", content);
-  EXPECT_THAT(error_of([&] { read_picture(file("p.png"), 3); }), testing::StartsWith("input: "));
+  EXPECT_THAT(error_of([&] { read_picture(file("p.png"), 3); }),
+              HasSubstr("p.png: is damaged: a check sum is wrong"));
 }
 
 TEST_F(ImageFile, full_disk_is_a_work_error_and_leaves_nothing) {
@@ -355,6 +326,20 @@ TEST(PngChunks, file_is_whole_only_with_its_end) {
   EXPECT_FALSE(png_is_whole("\x89PNG\r\n\x1a\n"));
   EXPECT_FALSE(png_is_whole("\x89PNG\r\n\x1a\n\xff\xff\xff\xff IEND"s));
   EXPECT_TRUE(png_is_whole("\x89PNG\r\n\x1a\n\0\0\0\0IEND\xae\x42\x60\x82"s));
+}
+
+TEST(PngChunks, each_byte_of_a_chunk_is_in_its_check_sum) {
+  const std::string head = "\x89PNG\r\n\x1a\n"s;
+  const std::string good = png_text_chunk("name", "text") + "\0\0\0\0IEND\xae\x42\x60\x82"s;
+  EXPECT_TRUE(png_sums_are_right(head + good));
+  for (size_t i = 4; i < good.size(); ++i) {  // behind the length
+    if (i >= good.size() - 12 && i < good.size() - 8) continue;
+    std::string bad = good;
+    bad[i] = static_cast<char>(bad[i] ^ 1);
+    EXPECT_FALSE(png_sums_are_right(head + bad)) << i;
+  }
+  EXPECT_TRUE(png_sums_are_right(head)) << "no chunk, no wrong sum";
+  EXPECT_TRUE(png_sums_are_right(head + "\xff\xff\xff\xffIDATx----"s)) << "not whole";
 }
 
 }  // namespace

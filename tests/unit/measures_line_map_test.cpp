@@ -7,6 +7,7 @@
 
 #include "pipeline/image/image_file.h"
 #include "support.h"
+#include "tests/unit/tiny_png.h"
 
 namespace inkbench {
 namespace {
@@ -42,6 +43,38 @@ TEST(LineMap, colour_counts_by_its_luma) {
   EXPECT_TRUE(map.at(1, 0));   // 182
   EXPECT_FALSE(map.at(2, 0));  // 18
   EXPECT_TRUE(map.at(3, 0));
+}
+
+TEST(LineMap, sixteen_bits_count_by_their_nearest_eight) {
+  const TemporaryFolder folder;
+  const std::string row("\0\x7f\x7f\x7f\xff\x80\x00\xff\xff", 9);
+  const LineMap map = read_line_map(folder.write("deep.png", tiny_png(4, 1, 16, 0, "", row)));
+  EXPECT_FALSE(map.at(0, 0));  // 127
+  EXPECT_FALSE(map.at(1, 0));  // 127.498
+  EXPECT_TRUE(map.at(2, 0));   // 127.502
+  EXPECT_TRUE(map.at(3, 0));
+}
+
+TEST(LineMap, alpha_does_not_count) {
+  const TemporaryFolder folder;
+  const std::string row("\0\xff\x00\xff\xff\x00\xff\x7f\xff", 9);
+  const LineMap map = read_line_map(folder.write("alpha.png", tiny_png(4, 1, 8, 4, "", row)));
+  EXPECT_TRUE(map.at(0, 0)) << "white, not seen";
+  EXPECT_TRUE(map.at(1, 0));
+  EXPECT_FALSE(map.at(2, 0)) << "black, seen";
+  EXPECT_FALSE(map.at(3, 0));
+}
+
+TEST(LineMap, one_bit_and_palette_images_are_maps) {
+  const TemporaryFolder folder;
+  const LineMap bits =
+      read_line_map(folder.write("bits.png", tiny_png(10, 1, 1, 0, "", std::string("\0\xa5\x40", 3))));
+  for (int x = 0; x < 10; ++x) EXPECT_EQ(bits.at(x, 0), x == 0 || x == 2 || x == 5 || x == 7 || x == 9) << x;
+  const std::string palette = png_chunk("PLTE", std::string("\xff\xff\xff\x00\x00\x00", 6));
+  const LineMap white_is_0 =
+      read_line_map(folder.write("palette.png", tiny_png(2, 1, 8, 3, palette, std::string("\0\0\1", 3))));
+  EXPECT_TRUE(white_is_0.at(0, 0));
+  EXPECT_FALSE(white_is_0.at(1, 0));
 }
 
 TEST(LineMap, border_is_cleared_on_every_side_at_every_width) {

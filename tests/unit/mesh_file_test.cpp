@@ -440,6 +440,12 @@ TEST_F(MeshFile, non_manifold_edges_are_kept_and_counted) {
   EXPECT_THAT(mesh.notes, Contains("Kept 1 non-manifold edge, shared by more than two faces."));
 }
 
+TEST_F(MeshFile, edges_between_faces_turned_opposite_ways_are_counted) {
+  const Mesh mesh = load("o.obj", replaced(kTetrahedronObj, "f 1 3 2", "f 1 2 3"));
+  EXPECT_THAT(mesh.notes, Contains(HasSubstr("Kept 3 edges between faces turned opposite ways")));
+  EXPECT_EQ(mesh.triangles.size(), 4U);
+}
+
 TEST_F(MeshFile, no_face_or_none_left_is_an_error) {
   EXPECT_THAT(failure_of("p.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), HasSubstr("holds 3 points but no faces"));
   EXPECT_THAT(failure_of("p.ply", replaced(replaced(kTetrahedronPly, "face 4", "face 0"), "3 0 2 1", "")),
