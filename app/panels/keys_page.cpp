@@ -32,6 +32,7 @@ constexpr std::array kParameters{
     Entry{"Ctrl+click", "type a number"},
     Entry{"Right click", "reset to the scene's value"},
     Entry{"Ctrl+F", "search parameters"},
+    Entry{"S, Shift+S", "sweep the one under the mouse; as a grid"},
 };
 
 constexpr std::array kCamera{
@@ -43,6 +44,7 @@ constexpr std::array kCamera{
 
 constexpr std::array kWindow{
     Entry{"Tab", "pictures alone; again for all panels"},
+    Entry{"F3", "the studies, or the pictures"},
     Entry{"F11, F12", "full screen; save a screenshot"},
     Entry{"Ctrl+O, Ctrl+Q", "open a file; quit"},
     Entry{"F1", "this page"},

@@ -185,7 +185,9 @@ void StudyResultsPanel::draw(Workbench& bench) {
   }
   const StudyResults& results = *studies.results();
   const float width = ImGui::GetContentRegionAvail().x;
-  fitted_text(state_text(listed) + "    " + plan_text(results.spec()) + "    " + results.folder().string(),
+  const bool all_done = listed.state == StudyState::finished && results.failed() == 0;
+  fitted_text((all_done ? "finished" : state_text(listed)) + "    " + plan_text(results.spec()) + "    " +
+                  results.folder().string(),
               width, theme().faint);
   if (listed.job != nullptr && listed.job->is_over() && !listed.job->problem.empty())
     fitted_text(listed.job->problem, width, theme().error);
