@@ -102,6 +102,7 @@ void StudyResultsPanel::draw_choices(Workbench& bench, const StudyResults& resul
       for (size_t i = 0; i < count; ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable(name(i).c_str(), name(i) == now)) choose(i);
+        bench.ui_map.mark_item(std::string(id) + "=" + name(i));
         ImGui::PopID();
       }
       ImGui::EndCombo();
