@@ -86,13 +86,15 @@ bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
   const StudyResult result = run_study(pipeline, spec, options);
   line.finish(result.progress);
   for (const fs::path& grid : result.grids) fmt::print("{}\n", grid.string());
+  for (const DrawnChart& chart : result.charts) fmt::print("{}\n", chart.png.string());
+  if (!result.page.empty()) fmt::print("{}\n", result.page.string());
   std::fflush(stdout);
   for (size_t i = 0; i < std::min<size_t>(result.failures.size(), 10); ++i) {
     fmt::print(stderr, "inkbench: error: {}\n", result.failures[i]);
   }
-  if (!result.failures.empty()) {
+  if (result.progress.failed > 0) {
     fmt::print(stderr, "inkbench: error: {} of {} cells failed; the same command tries them again\n",
-               result.failures.size(), result.progress.total);
+               result.progress.failed, result.progress.total);
   }
   if (result.stopped) {
     fmt::print(stderr, "inkbench: error: stopped after {} of {} cells; the same command continues\n",

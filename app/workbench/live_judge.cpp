@@ -34,12 +34,6 @@ void check_request(const JudgeRequest& request) {
                       fmt::format("give {} to {}", kToleranceFromPx, kToleranceToPx));
 }
 
-LadderJudgement judge_ladder(const LineView& level, const LineView& full, double tolerance_px) {
-  const LadderTally tally = tally_against_full(level, full, tolerance_px);
-  const InnerTally inner = tally_inner(level, full, tolerance_px);
-  return {f1_of(tally.geometry), f1_of(tally.end_to_end), inner.kept.share(), inner.new_share()};
-}
-
 }  // namespace
 
 Judgement judge(const JudgeRequest& request, const std::function<bool()>& stop) {
@@ -50,7 +44,7 @@ Judgement judge(const JudgeRequest& request, const std::function<bool()>& stop) 
   result.id = request.id;
   const ReferenceLines& lines = *request.view.lines;
   const LineView view = line_view(drawn_lines(*request.view.edges), lines);
-  result.measures = measure_view(view, lines, request.tolerance_px);
+  result.measures = measures_of(tally_view(view, lines, request.tolerance_px));
   if (stopped()) return result;
   result.maps = match_maps(view, request.tolerance_px);
   for (size_t i = 0; i < kLineClasses.size() && !stopped(); ++i)
@@ -58,7 +52,8 @@ Judgement judge(const JudgeRequest& request, const std::function<bool()>& stop) 
         tally_recall(view.drawn, class_map(lines, kLineClasses[i]), request.tolerance_px).share();
   if (request.full.edges != nullptr && !stopped()) {
     const LineView full = line_view(drawn_lines(*request.full.edges), *request.full.lines);
-    result.ladder = judge_ladder(view, full, request.tolerance_px);
+    result.ladder = measures_of(tally_against_full(view, full, request.tolerance_px),
+                                tally_inner(view, full, request.tolerance_px));
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -287,6 +287,21 @@ void write_exr(const fs::path& path, const Image& image, const ImageText& text) 
   write_file_atomically(path, {reinterpret_cast<const char*>(encoded.data()), encoded.size()});
 }
 
+std::string encode_webp(const Picture& picture, int quality) {
+  assert(picture.channels == 3);
+  use_calling_thread_only();
+  ImageSpec spec(picture.width_px, picture.height_px, 3, TypeDesc::UINT8);
+  spec.attribute("Compression", "webp:" + std::to_string(quality));
+  std::vector<unsigned char> encoded;
+  OIIO::Filesystem::IOVecOutput memory(encoded);
+  const std::unique_ptr<ImageOutput> output = ImageOutput::create("webp");
+  open_output(output.get(), "thumbnail.webp", spec, &memory);
+  if (!output->write_image(TypeDesc::UINT8, picture.samples.data()) || !output->close()) {
+    throw work_error("thumbnail.webp", "cannot be encoded", one_line(output->geterror()));
+  }
+  return {encoded.begin(), encoded.end()};
+}
+
 Picture read_picture(const fs::path& path, int channels) {
   assert(channels == 1 || channels == 3 || channels == 4);
   const std::unique_ptr<OpenImage> image = open_image(path);

@@ -24,6 +24,10 @@ void write_png(const std::filesystem::path& path, const Picture& picture, const 
 /// they are, NaN and infinities included. Errors (work): as `write_file_atomically`.
 void write_exr(const std::filesystem::path& path, const Image& image, const ImageText& text);
 
+/// A lossy WebP file in memory, for small pictures inside other files; 1 to 16,383 px a side, 3 channels,
+/// `quality` 1 to 100. The same picture gives the same bytes. Errors (work): it cannot be encoded.
+std::string encode_webp(const Picture& picture, int quality);
+
 /// A PNG written a strip of rows at a time, for pictures too large to hold. Nothing stands under `path` until
 /// `finish`.
 class PngStripWriter {

@@ -94,6 +94,7 @@ PolygonSoup read_soup(const fs::path& path) {
   const MeshSource source = prepare_mesh(format, name, read_raw(path));
   PolygonSoup soup = read_isolated(source, name);
   account_for_faces(source, soup, name);
+  if (format == MeshFormat::stl) merge_rounded_corners(soup);
   return soup;
 }
 

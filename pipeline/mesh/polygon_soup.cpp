@@ -163,6 +163,10 @@ Mesh mesh_from_soup(const PolygonSoup& soup, const std::string& where) {
     throw input_error(where, "no face can be drawn: " + join(mesh.notes, " "),
                       "a mesh needs triangles or polygons");
   }
+  if (soup.merged_points > 0) {
+    mesh.notes.push_back(fmt::format("Merged {} into others that rounding alone kept apart.",
+                                     counted(soup.merged_points, "vertex", "vertices")));
+  }
   const std::vector<uint32_t> kept = compact(soup, mesh);
   if (const size_t isolated = soup.points.size() - kept.size(); isolated > 0) {
     mesh.notes.push_back(fmt::format("Removed {} that no drawn face uses.",

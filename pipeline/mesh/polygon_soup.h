@@ -19,7 +19,14 @@ struct PolygonSoup {
   std::vector<int32_t> corners;         ///< Point indices, polygon after polygon; any value.
   uint64_t empty_polygons = 0;  ///< Polygons that a reader left out: fewer than three different corners.
   uint64_t split_normals = 0;   ///< Points that the file gives several different normals (sharp edges).
+  uint64_t merged_points = 0;   ///< Points that `merge_rounded_corners` took away.
 };
+
+/// For files that repeat a corner's coordinates in every face, each time rounded anew (STL): points nearer
+/// than rounding can tell apart become the first of them, so that the faces meet. That is a millionth of the
+/// bounding box's diagonal, or 4 steps of a float at the largest coordinate where those are more. The soup
+/// has no normals.
+void merge_rounded_corners(PolygonSoup& soup);
 
 /// Triangulates, drops what cannot be drawn, removes isolated vertices, finds normals; each with a note and
 /// count. Normals are the soup's where every vertex has exactly one usable, else computed. Errors (input): no

@@ -55,30 +55,6 @@ class CellTable {
   std::vector<uint32_t> next_;
 };
 
-/// For each vertex the first unmerged one within the tolerance.
-std::vector<uint32_t> first_within(const std::vector<glm::vec3>& positions, double tolerance) {
-  CellTable table(positions.size());
-  std::vector<uint32_t> first(positions.size());
-  const auto cell_of = [&](uint32_t vertex, const glm::ivec3& offset) {
-    Cell cell;
-    for (int axis = 0; axis < 3; ++axis)
-      cell[axis] = std::floor(static_cast<double>(positions[vertex][axis]) / tolerance) + offset[axis];
-    return cell;
-  };
-  for (uint32_t vertex = 0; vertex < positions.size(); ++vertex) {
-    uint32_t best = vertex;
-    for (int i = 0; i < 27; ++i) {
-      table.visit(cell_of(vertex, {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1}), [&](uint32_t other) {
-        const glm::dvec3 gap = glm::dvec3(positions[vertex]) - glm::dvec3(positions[other]);
-        if (glm::dot(gap, gap) <= tolerance * tolerance) best = std::min(best, other);
-      });
-    }
-    first[vertex] = best;
-    if (best == vertex) table.insert(cell_of(vertex, glm::ivec3(0)), vertex);
-  }
-  return first;
-}
-
 std::string counted(size_t count, const char* one, const char* many) {
   return with_commas(static_cast<long long>(count)) + " " + (count == 1 ? one : many);
 }
@@ -89,7 +65,50 @@ glm::vec3 mean_normal(const glm::dvec3& sum, const glm::vec3& first) {
   return length > 1e-6 ? glm::vec3(sum / length) : first;
 }
 
+/// Calls `use(cell)` for each cell between two that are the same or neighbours along each axis.
+template <class Use>
+void for_each_cell(const Cell& low, const Cell& high, Use&& use) {
+  for (int i = 0; i < 8; ++i) {
+    Cell cell = low;
+    bool is_new = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((i >> axis & 1) == 0) continue;
+      is_new = is_new && high[axis] != low[axis];
+      cell[axis] = high[axis];
+    }
+    if (is_new) use(cell);
+  }
+}
+
+bool is_finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 }  // namespace
+
+std::vector<uint32_t> first_within(const std::vector<glm::vec3>& positions, double tolerance) {
+  // Wide enough that most positions have only their own cell within the tolerance, narrow enough that even
+  // positions as dense as can be stay few in one.
+  const double side = 8 * tolerance;
+  const auto cell_of = [&](const glm::dvec3& p) {
+    return Cell{std::floor(p.x / side), std::floor(p.y / side), std::floor(p.z / side)};
+  };
+  CellTable table(positions.size());
+  std::vector<uint32_t> first(positions.size());
+  for (uint32_t vertex = 0; vertex < positions.size(); ++vertex) {
+    first[vertex] = vertex;
+    if (!is_finite(positions[vertex])) continue;
+    const glm::dvec3 position = positions[vertex];
+    for_each_cell(cell_of(position - tolerance), cell_of(position + tolerance), [&](const Cell& cell) {
+      table.visit(cell, [&](uint32_t other) {
+        const glm::dvec3 gap = position - glm::dvec3(positions[other]);
+        if (glm::dot(gap, gap) <= tolerance * tolerance) first[vertex] = std::min(first[vertex], other);
+      });
+    });
+    if (first[vertex] == vertex) table.insert(cell_of(position), vertex);
+  }
+  return first;
+}
 
 std::vector<uint32_t> first_at_same_position(const std::vector<glm::vec3>& positions) {
   CellTable table(positions.size());

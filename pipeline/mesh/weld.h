@@ -22,6 +22,10 @@ struct WeldResult {
 /// tolerance that is negative or not finite.
 WeldResult weld(const Mesh& mesh, float tolerance);
 
+/// For each position the first one within `tolerance` (above 0) that has no such first one itself. A position
+/// that is not finite is its own.
+std::vector<uint32_t> first_within(const std::vector<glm::vec3>& positions, double tolerance);
+
 /// For each vertex the first one at exactly the same position (itself, mostly).
 std::vector<uint32_t> first_at_same_position(const std::vector<glm::vec3>& positions);
 

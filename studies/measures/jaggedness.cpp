@@ -41,15 +41,30 @@ bool is_inside(const LineMap& map, double x, double y) {
          y < map.height_px() - kIgnoredBorderPx;
 }
 
-/// The offset at each whole px of arc length.
-std::vector<std::optional<double>> offsets_along(const LineMap& ink, const Polyline& line) {
-  std::vector<std::optional<double>> offsets;
-  double begin = 0;  // of the piece, in arc length
+/// A straight piece of a polyline.
+struct Piece {
+  double x, y, dx, dy, length;
+};
+
+/// Those that have a direction: both ends finite and not the same.
+std::vector<Piece> pieces_of(const Polyline& line) {
+  std::vector<Piece> pieces;
   for (size_t i = 0; i + 1 < line.points.size(); ++i) {
     const double x = line.points[i].x, y = line.points[i].y;
     const double dx = line.points[i + 1].x - x, dy = line.points[i + 1].y - y, length = std::hypot(dx, dy);
-    if (!(length > 0)) continue;
-    const bool is_last = i + 2 == line.points.size();
+    if (length > 0 && std::isfinite(length)) pieces.push_back({x, y, dx, dy, length});
+  }
+  return pieces;
+}
+
+/// The offset at each whole px of arc length.
+std::vector<std::optional<double>> offsets_along(const LineMap& ink, const Polyline& line) {
+  const std::vector<Piece> pieces = pieces_of(line);
+  std::vector<std::optional<double>> offsets;
+  double begin = 0;  // of the piece, in arc length
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    const auto [x, y, dx, dy, length] = pieces[i];
+    const bool is_last = i + 1 == pieces.size();
     const double end = begin + length;
     for (auto s = static_cast<double>(offsets.size()); s < end || (is_last && s <= end); ++s) {
       const double at_x = x + dx * (s - begin) / length, at_y = y + dy * (s - begin) / length;

@@ -28,7 +28,8 @@ std::optional<double> ink_offset(const LineMap& ink, double x, double y, double 
 /// travel turned by +90 degrees from x to y: in the picture, to the right of travel, where e is positive. At
 /// a corner the piece that begins there decides. Left out: samples without ink in reach, and those in the
 /// image's ignored border or outside the image. The moving mean of a sample is over the samples at most 7 px
-/// of arc length before and after it that exist; closed lines are not wrapped. `ink` is without its border.
+/// of arc length before and after it that exist; closed lines are not wrapped. A piece with an end that is
+/// not finite is left out, as if its ends were one. `ink` is without its border.
 LineOffsets line_offsets(const LineMap& ink, std::span<const Polyline> polylines);
 
 }  // namespace inkbench

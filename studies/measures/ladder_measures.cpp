@@ -2,6 +2,7 @@
 
 #include "studies/measures/distance.h"
 #include "studies/measures/matching.h"
+#include "studies/measures/measures.h"
 
 namespace inkbench {
 namespace {
@@ -47,6 +48,10 @@ void InnerTally::add(const InnerTally& other) {
 std::optional<double> InnerTally::new_share() const {
   const std::optional<double> share = known.share();
   return share ? std::optional(1.0 - *share) : std::nullopt;
+}
+
+LadderMeasures measures_of(const LadderTally& ladder, const InnerTally& inner) {
+  return {f1_of(ladder.geometry), f1_of(ladder.end_to_end), inner.kept.share(), inner.new_share()};
 }
 
 InnerTally tally_inner(const LineView& level, const LineView& full, double tolerance_px) {

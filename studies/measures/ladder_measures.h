@@ -43,4 +43,12 @@ struct InnerTally {
 /// own view.
 InnerTally tally_inner(const LineView& level, const LineView& full, double tolerance_px = kTolerancePx);
 
+struct LadderMeasures {
+  double f1_geometry = 0, f1_end_to_end = 0;
+  std::optional<double> internal_kept;  ///< None where the full mesh draws no inner pixel.
+  std::optional<double> internal_new;   ///< None where the level draws none.
+};
+
+LadderMeasures measures_of(const LadderTally& ladder, const InnerTally& inner);
+
 }  // namespace inkbench

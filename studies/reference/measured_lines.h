@@ -6,7 +6,6 @@
 
 #include "pipeline/image/image.h"
 #include "studies/measures/ladder_measures.h"
-#include "studies/measures/measures.h"
 #include "studies/reference/reference_lines.h"
 
 namespace inkbench {

@@ -1,4 +1,4 @@
-// Rows of a CSV file (RFC 4180, with \n line ends).
+// Rows of a CSV file (RFC 4180, with \n line ends), written and read back.
 #pragma once
 
 #include <span>
@@ -10,6 +10,19 @@ namespace inkbench {
 
 /// One line with its end; fields with commas, quotes or line breaks are quoted.
 std::string csv_line(std::span<const std::string> fields);
+
+/// A whole file, its head apart. Every row has as many fields as there are columns.
+struct CsvTable {
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+
+  /// The place of the column of that name. Errors (work): there is none.
+  size_t column(std::string_view name) const;
+};
+
+/// Fields that a row lacks are empty, those beyond the head's are dropped; a text without a head is an empty
+/// table.
+CsvTable parse_csv(std::string_view text);
 
 /// The fields of every row that has its end; the rest of the text, a row that is still being written, is left
 /// out. `used`: where that rest begins.

@@ -69,6 +69,10 @@ class Fonts {
     return entry->second;
   }
 
+  bool has(char32_t code, Face face) const {
+    return FT_Get_Char_Index(faces_[face == Face::bold ? 1 : 0].get(), code) != 0;
+  }
+
   /// The drawn glyph, valid until the next call.
   const FT_GlyphSlotRec_* drawn(char32_t code, int size_px, Face face) {
     return glyph(code, size_px, face, FT_LOAD_RENDER);
@@ -216,6 +220,18 @@ int widest_word_px(std::string_view text, int size_px, Face face) {
       widest = std::max(widest, text_width_px(word, size_px, face));
   }
   return widest;
+}
+
+std::string with_boxes(std::string_view line) {
+  Fonts& fonts = Fonts::get();
+  const std::lock_guard lock(fonts.mutex());
+  std::string result;
+  for (size_t at = 0, bytes = 0; at < line.size(); at += bytes) {
+    bytes = character_bytes(line, at);
+    const std::string_view character = line.substr(at, bytes);
+    result += fonts.has(code_point(character), Face::regular) ? character : "\u25a1";
+  }
+  return result;
 }
 
 std::vector<std::string> wrapped(std::string_view text, int width_px, int size_px, Face face) {

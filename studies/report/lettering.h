@@ -28,6 +28,9 @@ int text_width_px(std::string_view line, int size_px, Face face);
 /// The width of the widest word of `text`.
 int widest_word_px(std::string_view text, int size_px, Face face);
 
+/// `line` with a box (U+25A1) for each character that the font lacks.
+std::string with_boxes(std::string_view line);
+
 /// Breaks at line ends and spaces so that no line is wider than `width_px`; inside a word only where the word
 /// alone is wider. At least one line, which may be empty.
 std::vector<std::string> wrapped(std::string_view text, int width_px, int size_px, Face face);

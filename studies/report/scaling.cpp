@@ -12,10 +12,19 @@ float decoded(double code) {
   return static_cast<float>(code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4));
 }
 
-std::array<float, 256> make_light_table() {
-  std::array<float, 256> table{};
-  for (int code = 0; code < 256; ++code) table[code] = decoded(code / 255.0);
-  return table;
+using SampleTable = std::array<float, 256>;
+
+/// What each code counts as in a mean.
+const SampleTable& sample_table(Averaging averaging) {
+  static const auto kTables = [] {
+    std::array<SampleTable, 2> tables{};
+    for (int code = 0; code < 256; ++code) {
+      tables[0][code] = decoded(code / 255.0);
+      tables[1][code] = static_cast<float>(code);
+    }
+    return tables;
+  }();
+  return kTables[averaging == Averaging::light ? 0 : 1];
 }
 
 /// The sRGB code whose light is nearest in code space, by a table fine enough for the steepest part, near
@@ -31,6 +40,10 @@ uint8_t encoded(float light) {
     return table;
   }();
   return kTable[static_cast<size_t>(std::clamp(light, 0.0F, 1.0F) * kSteps + 0.5F)];
+}
+
+uint8_t rounded(float code) {
+  return static_cast<uint8_t>(std::clamp(code, 0.0F, 255.0F) + 0.5F);
 }
 
 /// The old samples one new sample covers, [first, first + weights.size()), and their shares of it.
@@ -55,15 +68,15 @@ std::vector<Cover> covers(int old_size, int new_size) {
   return all;
 }
 
-/// One row of `picture` in linear light, at the width of `columns`.
-std::vector<float> scaled_row(const Picture& picture, int y, const std::vector<Cover>& columns) {
-  static const std::array<float, 256> kLight = make_light_table();
+/// One row of `picture`, its samples taken through `table`, at the width of `columns`.
+std::vector<float> scaled_row(const Picture& picture, int y, const std::vector<Cover>& columns,
+                              const SampleTable& table) {
   const int channels = picture.channels;
   std::vector<float> row(columns.size() * channels, 0.0F);
   for (size_t x = 0; x < columns.size(); ++x) {
     const uint8_t* sample = &picture.samples[picture.index(columns[x].first, y)];
     for (const float weight : columns[x].weights) {
-      for (int i = 0; i < channels; ++i) row[x * channels + i] += weight * kLight[*sample++];
+      for (int i = 0; i < channels; ++i) row[x * channels + i] += weight * table[*sample++];
     }
   }
   return row;
@@ -71,8 +84,9 @@ std::vector<float> scaled_row(const Picture& picture, int y, const std::vector<C
 
 }  // namespace
 
-Picture scaled(const Picture& picture, int width_px, int height_px) {
+Picture scaled(const Picture& picture, int width_px, int height_px, Averaging averaging) {
   if (picture.width_px == width_px && picture.height_px == height_px) return picture;
+  const SampleTable& table = sample_table(averaging);
   const std::vector<Cover> columns = covers(picture.width_px, width_px);
   const std::vector<Cover> rows = covers(picture.height_px, height_px);
   Picture result(width_px, height_px, picture.channels);
@@ -80,10 +94,11 @@ Picture scaled(const Picture& picture, int width_px, int height_px) {
   for (const Cover& cover : rows) {
     std::vector<float> sum(columns.size() * picture.channels, 0.0F);
     for (size_t j = 0; j < cover.weights.size(); ++j) {
-      const std::vector<float> row = scaled_row(picture, cover.first + static_cast<int>(j), columns);
+      const std::vector<float> row = scaled_row(picture, cover.first + static_cast<int>(j), columns, table);
       for (size_t i = 0; i < sum.size(); ++i) sum[i] += cover.weights[j] * row[i];
     }
-    out = std::transform(sum.begin(), sum.end(), out, encoded);
+    out = averaging == Averaging::light ? std::transform(sum.begin(), sum.end(), out, encoded)
+                                        : std::transform(sum.begin(), sum.end(), out, rounded);
   }
   return result;
 }

@@ -20,13 +20,14 @@ using Texts = std::map<std::string, std::string, std::less<>>;
 
 Texts measure_texts(const CellTally& tally) {
   const Measures measures = measures_of(tally.lines);
+  const LadderMeasures ladder = measures_of(tally.ladder, tally.inner);
   Texts texts{{"empty", measures.empty ? "true" : "false"},
               {"faces", std::to_string(tally.faces)},
               {"f1_detector", shortest(measures.f1)},
-              {"f1_geometry", shortest(f1_of(tally.ladder.geometry))},
-              {"f1_end_to_end", shortest(f1_of(tally.ladder.end_to_end))},
-              {"internal_kept", optional_text(tally.inner.kept.share())},
-              {"internal_new", optional_text(tally.inner.new_share())}};
+              {"f1_geometry", shortest(ladder.f1_geometry)},
+              {"f1_end_to_end", shortest(ladder.f1_end_to_end)},
+              {"internal_kept", optional_text(ladder.internal_kept)},
+              {"internal_new", optional_text(ladder.internal_new)}};
   for (const MeasureInfo& info : measure_list()) texts.emplace(info.key, measure_text(info, measures));
   for (size_t i = 0; i < kLineClasses.size(); ++i) {
     texts.emplace("recall_" + std::string(kLineClassNames[i]), optional_text(tally.recall[i].share()));
@@ -68,7 +69,7 @@ const LineMap& CellMeter::full_drawing(const Settings& full) {
   return full_drawings_[key] = drawn_lines(buffers_.raw(full, BufferName::combined_edges));
 }
 
-void CellMeter::add_ladder(const Settings& settings, size_t view, LineView& level, CellTally& tally) {
+void CellMeter::add_ladder(const Settings& settings, size_t view, const LineView& level, CellTally& tally) {
   Settings full = settings;
   full.mesh = MeshParams{};
   const LineView& full_lines = full_views_[view].get(buffers_.reference_key(full),
@@ -91,7 +92,7 @@ CellTally CellMeter::tally(const Settings& settings, size_t view) {
     tally.faces = meshes.get(settings.models[*model], level_of(settings, *model)).face_count();
   }
   const ReferenceLines& lines = buffers_.reference(settings);
-  LineView level = line_view(drawn_lines(edges), lines);
+  const LineView level = line_view(drawn_lines(edges), lines);
   if (wants_lines_) tally.lines = tally_view(level, lines);
   for (size_t i = 0; i < kLineClasses.size(); ++i) {
     if (!wants("recall_" + std::string(kLineClassNames[i]))) continue;

@@ -37,7 +37,7 @@ class CellMeter {
 
  private:
   bool wants(std::string_view measure) const;
-  void add_ladder(const Settings& settings, size_t view, LineView& level, CellTally& tally);
+  void add_ladder(const Settings& settings, size_t view, const LineView& level, CellTally& tally);
   const LineMap& full_drawing(const Settings& full);
 
   BufferSource& buffers_;

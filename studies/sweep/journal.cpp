@@ -8,6 +8,14 @@
 #include "pipeline/base/files.h"
 
 namespace inkbench {
+namespace {
+
+/// Errors (type_error): it is -1, 1.5, 1e300 or true, of each of which `get` would make a number.
+uint64_t count_of(const nlohmann::json& value) {
+  return value.get_ref<const nlohmann::json::number_unsigned_t&>();
+}
+
+}  // namespace
 
 FileRecord record_file(const fs::path& folder, const std::string& name) {
   const std::string content = read_file(folder / name);
@@ -32,9 +40,9 @@ std::map<size_t, CellRecord> read_journal(const fs::path& path) {
   while (std::getline(lines, text)) {
     try {
       const nlohmann::json line = nlohmann::json::parse(text);
-      CellRecord record{line.at("cell"), line.at("key"), line.at("numbers"), {}};
+      CellRecord record{count_of(line.at("cell")), line.at("key"), line.at("numbers"), {}};
       for (const nlohmann::json& file : line.at("files"))
-        record.files.push_back({file.at("name"), file.at("bytes"), file.at("hash")});
+        record.files.push_back({file.at("name"), count_of(file.at("bytes")), file.at("hash")});
       records[record.index] = std::move(record);
     } catch (const nlohmann::json::exception&) {
       continue;  // torn by a kill: the cell is simply drawn again

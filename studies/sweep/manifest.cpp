@@ -36,6 +36,8 @@ void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyRe
   for (const auto& [name, version] : study_versions()) versions[name] = version;
   std::vector<std::string> grids;
   for (const fs::path& grid : result.grids) grids.push_back(grid.filename().string());
+  std::vector<std::string> charts;
+  for (const DrawnChart& chart : result.charts) charts.push_back(chart.name);
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   const nlohmann::ordered_json manifest{
       {"title", spec.title},
@@ -47,6 +49,7 @@ void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyRe
       {"cells", result.progress.total},
       {"failures", result.failures},
       {"grids", grids},
+      {"charts", charts},
       {"spec_file", spec.path.filename().string()},
       {"spec", spec.text},
       {"base_settings", settings_text(spec.base)},

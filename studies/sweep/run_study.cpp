@@ -21,6 +21,7 @@
 #include "studies/sweep/manifest.h"
 #include "studies/sweep/study_folder.h"
 #include "studies/sweep/study_grid.h"
+#include "studies/sweep/study_page.h"
 #include "studies/sweep/worker_pool.h"
 
 namespace inkbench {
@@ -74,7 +75,7 @@ class StudyRun {
     std::sort(failures_.begin(), failures_.end());
     for (const auto& [index, text] : failures_) result_.failures.push_back(text);
     pipeline_.forget_results();  // room for the grid, so that it does not set the study's peak
-    if (!result_.stopped) result_.grids = write_study_grid(spec_, folder_);
+    if (!result_.stopped) write_report();
     result_.progress.seconds = seconds();
     write_manifest(folder_.path(), spec_, result_, result_.stopped ? "stopped" : "finished");
     return std::move(result_);
@@ -97,6 +98,15 @@ class StudyRun {
     const std::lock_guard lock(mutex_);
     return fatal_ || (options_.stop != nullptr && *options_.stop) ||
            (options_.fail_fast && result_.progress.failed > 0);
+  }
+
+  void write_report() {
+    StudyPageWriter page(spec_, folder_, {study_command(spec_), renderer_info().renderer, study_versions()});
+    result_.grids = write_study_grid(spec_, folder_, [&](size_t cell, size_t shown, const Picture& picture) {
+      page.add(cell, shown, picture);
+    });
+    result_.charts = draw_study_charts(spec_, folder_.path(), result_.failures);
+    result_.page = page.write(result_.grids, result_.charts);
   }
 
   void draw_cells() {

@@ -1,6 +1,6 @@
 // Runs a study: draws its cells so that the cheapest change is innermost, encodes them beside the drawing,
-// and leaves a folder with grid.png, cells/, data.csv and manifest.json. Continues what an earlier run of the
-// same study left.
+// and leaves a folder with index.html, grid.png, cells/, data.csv and manifest.json. Continues what an
+// earlier run of the same study left.
 #pragma once
 
 #include <atomic>
@@ -11,6 +11,7 @@
 
 #include "pipeline/pipeline.h"
 #include "studies/sweep/spec.h"
+#include "studies/sweep/study_charts.h"
 
 namespace inkbench {
 
@@ -34,8 +35,10 @@ struct StudyOptions {
 struct StudyResult {
   StudyProgress progress;
   bool stopped = false;               ///< Not all cells were tried.
-  std::vector<std::string> failures;  ///< "cell NAME: message".
+  std::vector<std::string> failures;  ///< "cell NAME: message", "chart NAME: message".
   std::vector<std::filesystem::path> grids;
+  std::vector<DrawnChart> charts;
+  std::filesystem::path page;  ///< The report; empty where the study was stopped.
 };
 
 /// Errors (work): the folder cannot be written. A cell's own error is a failure in the result.

@@ -12,6 +12,7 @@
 #include "pipeline/mesh/mesh_file.h"
 #include "pipeline/params/toml_value.h"
 #include "pipeline/scene/settings_file.h"
+#include "studies/sweep/chart_spec.h"
 #include "studies/sweep/number_columns.h"
 
 namespace inkbench {
@@ -31,7 +32,7 @@ class SpecReader {
 
   StudySpec read(const std::vector<std::string>& assignments) {
     check_keys(document_, {"title", "purpose", "scene", "size", "show", "grid_px", "measure", "set", "axis",
-                           "variant", "view"});
+                           "variant", "view", "chart"});
     spec_.title = text_entry("title", path_.stem().string());
     spec_.purpose = text_entry("purpose", "");
     spec_.base = load_settings(scene_path());
@@ -48,6 +49,7 @@ class SpecReader {
     check_assignments(assignments);
     spec_.assignments = assignments;
     check_count();
+    spec_.charts = read_charts(document_, spec_);
     return std::move(spec_);
   }
 

@@ -8,6 +8,7 @@
 
 #include "pipeline/passes/buffer_names.h"
 #include "pipeline/scene/settings.h"
+#include "studies/report/chart.h"
 
 namespace inkbench {
 
@@ -35,13 +36,14 @@ struct StudySpec {
   std::string purpose;  ///< One line for `inkbench study list`.
   Settings base;
   std::vector<BufferName> show;
-  int grid_px = 0;  ///< Longer side of a picture in the grid; 0 as it is.
+  int grid_px = 0;                    ///< Longer side of a picture in the grid; 0 as it is.
   std::vector<std::string> measures;  ///< Of the drawn lines against the reference; columns of data.csv.
   std::vector<Axis> axes;             ///< Columns, rows, pages: at most three, at most two beside variants.
   std::vector<NamedSet> variants;     ///< Laid out where the axes end: columns, rows or pages.
   /// What each cell is drawn and measured from, all together: cameras, as a rule. Empty: once, as it is.
   std::vector<NamedSet> views;
   std::vector<std::string> assignments;  ///< `--set` texts that came on top.
+  std::vector<Chart> charts;             ///< Of data.csv.
 };
 
 /// One cell: its place in the grid and what it changes.

@@ -14,21 +14,11 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "studies/report/csv.h"
+#include "studies/sweep/data_columns.h"
 #include "studies/sweep/number_columns.h"
 
 namespace inkbench {
 namespace {
-
-std::vector<std::string> varied_keys(const StudySpec& spec) {
-  std::vector<std::string> keys;
-  for (const Axis& axis : spec.axes) keys.push_back(axis.key);
-  for (const NamedSet& variant : spec.variants) {
-    for (const Assignment& assignment : variant.set) {
-      if (std::find(keys.begin(), keys.end(), assignment.key) == keys.end()) keys.push_back(assignment.key);
-    }
-  }
-  return keys;
-}
 
 /// Whether a file in cells/ is named as a study's cell: "0001_final.png".
 bool is_cell_name(const std::string& name) {
@@ -59,15 +49,15 @@ bool is_overlay_name(const std::string& name) {
   return name.size() == 20 && name.ends_with(".svg") && name.find_first_not_of("0123456789abcdef") == 16;
 }
 
+/// As a record names it, relative to the study's folder.
+bool is_overlay_file(const std::string& name) {
+  constexpr std::string_view kFolder = "reference/";
+  return name.starts_with(kFolder) && is_overlay_name(name.substr(kFolder.size()));
+}
+
 std::string file_column(const StudySpec& spec, size_t view, BufferName buffer) {
   const std::string prefix = spec.views.empty() ? "FILE_" : "FILE_" + spec.views[view].name + "_";
   return prefix + std::string(name_of(buffer));
-}
-
-/// A value as a field of data.csv: as TOML, but texts without quotes.
-std::string field_text(const Value& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr ? *text : to_text(value);
 }
 
 }  // namespace
@@ -92,13 +82,13 @@ StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Key
       lock_(folder_),
       keys_(std::move(keys)),
       varied_(varied_keys(spec)),
-      columns_(number_columns(spec)) {
+      numbers_(number_columns(spec)) {
   make_folder(folder_ / "cells");
   make_folder(folder_ / "reference");
   if (!fresh) done_ = read_journal(folder_ / "journal.jsonl");
   std::erase_if(done_, [&](const auto& entry) {
     return entry.first >= keys_.size() || entry.second.key != keys_[entry.first].text() ||
-           entry.second.numbers.size() != columns_.size() || !names_its_files(entry.second) ||
+           entry.second.numbers.size() != numbers_.size() || !names_its_files(entry.second) ||
            !files_intact(folder_, entry.second);
   });
   remove_stale_files();
@@ -137,40 +127,52 @@ std::string StudyFolder::overlay_file(size_t index, size_t view) const {
 bool StudyFolder::names_its_files(const CellRecord& record) const {
   const std::vector<std::string> pictures = picture_files(record.index);
   if (record.files.size() != pictures.size() + view_count(spec_)) return false;
-  return std::equal(pictures.begin(), pictures.end(), record.files.begin(),
-                    [](const std::string& name, const FileRecord& file) { return file.name == name; });
+  const auto overlays = record.files.begin() + static_cast<std::ptrdiff_t>(pictures.size());
+  return std::equal(pictures.begin(), pictures.end(), record.files.begin(), overlays,
+                    [](const std::string& name, const FileRecord& file) { return file.name == name; }) &&
+         std::all_of(overlays, record.files.end(),
+                     [](const FileRecord& file) { return is_overlay_file(file.name); });
 }
 
-std::string StudyFolder::header() const {
-  std::vector<std::string> fields{"cell"};
-  if (!spec_.variants.empty()) fields.emplace_back("variant");
-  fields.insert(fields.end(), varied_.begin(), varied_.end());
-  fields.insert(fields.end(), columns_.begin(), columns_.end());
-  fields.emplace_back("error");
+std::vector<std::string> StudyFolder::columns() const {
+  std::vector<std::string> names{"cell"};
+  if (!spec_.variants.empty()) names.emplace_back("variant");
+  names.insert(names.end(), varied_.begin(), varied_.end());
+  names.insert(names.end(), numbers_.begin(), numbers_.end());
+  names.emplace_back("error");
   for (size_t view = 0; view < view_count(spec_); ++view) {
-    for (const BufferName buffer : spec_.show) fields.push_back(file_column(spec_, view, buffer));
+    for (const BufferName buffer : spec_.show) names.push_back(file_column(spec_, view, buffer));
   }
-  return csv_line(fields);
+  return names;
 }
 
-std::string StudyFolder::row(size_t index, const std::vector<std::string>& numbers,
-                             const std::string& error) const {
+std::vector<std::string> StudyFolder::fields(size_t index) const {
+  const std::lock_guard lock(mutex_);
+  if (const auto done = done_.find(index); done != done_.end()) return row(index, done->second.numbers, "");
+  if (const auto failed = failed_.find(index); failed != failed_.end()) return row(index, {}, failed->second);
+  return {};
+}
+
+std::vector<std::string> StudyFolder::row(size_t index, const std::vector<std::string>& numbers,
+                                          const std::string& error) const {
   const Cell cell = make_cell(spec_, index);
   Settings settings = cell_settings(spec_, cell);
   std::vector<std::string> fields{std::to_string(index + 1)};
   if (!spec_.variants.empty()) fields.push_back(cell.variant);
   for (const std::string& key : varied_) fields.push_back(field_text(find_param(settings, key, key).value()));
-  for (size_t i = 0; i < columns_.size(); ++i) fields.push_back(i < numbers.size() ? numbers[i] : "");
+  for (size_t i = 0; i < numbers_.size(); ++i) fields.push_back(i < numbers.size() ? numbers[i] : "");
   fields.push_back(error);
   for (const std::string& file : picture_files(index)) fields.push_back(error.empty() ? file : "");
-  return csv_line(fields);
+  return fields;
 }
 
 std::string StudyFolder::data_text() const {
-  std::string text = header();
+  std::string text = csv_line(columns());
   for (size_t i = 0; i < keys_.size(); ++i) {
-    if (const auto done = done_.find(i); done != done_.end()) text += row(i, done->second.numbers, "");
-    if (const auto failed = failed_.find(i); failed != failed_.end()) text += row(i, {}, failed->second);
+    if (const auto done = done_.find(i); done != done_.end())
+      text += csv_line(row(i, done->second.numbers, ""));
+    if (const auto failed = failed_.find(i); failed != failed_.end())
+      text += csv_line(row(i, {}, failed->second));
   }
   return text;
 }
@@ -211,7 +213,7 @@ void StudyFolder::add(size_t index, std::vector<std::string> numbers,
   for (const std::string& file : picture_files(index)) record.files.push_back(record_file(folder_, file));
   for (const std::string& file : overlays) record.files.push_back(record_file(folder_, file));
   const std::lock_guard lock(mutex_);
-  append(folder_ / "data.csv", row(index, record.numbers, ""));
+  append(folder_ / "data.csv", csv_line(row(index, record.numbers, "")));
   append(folder_ / "journal.jsonl", journal_line(record));
   done_[index] = std::move(record);
 }
@@ -219,7 +221,7 @@ void StudyFolder::add(size_t index, std::vector<std::string> numbers,
 void StudyFolder::add_failure(size_t index, const std::string& message) {
   const std::lock_guard lock(mutex_);
   failed_[index] = message;
-  append(folder_ / "data.csv", row(index, {}, message));
+  append(folder_ / "data.csv", csv_line(row(index, {}, message)));
 }
 
 void StudyFolder::finish() {

@@ -39,9 +39,16 @@ class StudyFolder {
   /// "cells/0001_final.png", or with views "cells/0001_front_final.png"; relative to the folder.
   std::string cell_file(size_t index, size_t view, BufferName buffer) const;
 
+  /// The cell's pictures, view by view.
+  std::vector<std::string> picture_files(size_t index) const;
+
   /// The reference lines of a finished cell's view, relative to the folder: "reference/KEY.svg", which cells
   /// share where they are the same.
   std::string overlay_file(size_t index, size_t view) const;
+
+  /// The columns of data.csv, and a finished or failed cell's fields; empty for any other.
+  std::vector<std::string> columns() const;
+  std::vector<std::string> fields(size_t index) const;
 
   /// Appends a finished cell to journal and data.csv, with a file of reference lines for each view. All its
   /// files are on the disk already. Safe from any thread.
@@ -53,12 +60,11 @@ class StudyFolder {
   void finish();
 
  private:
-  /// Whether the files are those that the cell has now: a study that grew may number them with more digits.
+  /// Whether the files are named as the cell's are now: a study that grew may number them with more digits,
+  /// and a damaged journal may say anything.
   bool names_its_files(const CellRecord& record) const;
-  /// The cell's pictures, view by view.
-  std::vector<std::string> picture_files(size_t index) const;
-  std::string row(size_t index, const std::vector<std::string>& numbers, const std::string& error) const;
-  std::string header() const;
+  std::vector<std::string> row(size_t index, const std::vector<std::string>& numbers,
+                               const std::string& error) const;
   std::string data_text() const;
   void remove_stale_files() const;
   void rewrite() const;
@@ -69,7 +75,7 @@ class StudyFolder {
   FolderLock lock_;
   std::vector<Key> keys_;
   std::vector<std::string> varied_;   ///< Keys that cells set, in order of first use.
-  std::vector<std::string> columns_;  ///< Of the numbers.
+  std::vector<std::string> numbers_;  ///< Their columns.
   std::map<size_t, CellRecord> done_;
   std::map<size_t, std::string> failed_;
   mutable std::mutex mutex_;

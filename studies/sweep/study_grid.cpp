@@ -14,22 +14,10 @@ namespace {
 
 constexpr int kGapPx = 4;  ///< Between the pictures of one cell.
 
-/// One of a cell's pictures.
-struct Shown {
-  size_t view;
-  BufferName buffer;
-};
-
-/// A cell's pictures from left to right.
-std::vector<Shown> shown_pictures(const StudySpec& spec) {
-  std::vector<Shown> pictures;
-  for (size_t view = 0; view < view_count(spec); ++view) {
-    for (const BufferName buffer : spec.show) pictures.push_back({view, buffer});
-  }
-  return pictures;
+size_t picture_count(const StudySpec& spec) {
+  return view_count(spec) * spec.show.size();
 }
 
-/// The columns (0), rows or pages.
 std::vector<std::string> names_of(const std::vector<NamedSet>& sets) {
   std::vector<std::string> names;
   for (const NamedSet& set : sets) names.push_back(set.name);
@@ -38,7 +26,7 @@ std::vector<std::string> names_of(const std::vector<NamedSet>& sets) {
 
 /// A study of a single cell is laid out by buffer and view; else a cell holds them all, side by side.
 bool cell_is_the_grid(const StudySpec& spec) {
-  return cell_count(spec) == 1 && shown_pictures(spec).size() > 1;
+  return cell_count(spec) == 1 && picture_count(spec) > 1;
 }
 
 std::vector<std::string> shown_names(const StudySpec& spec) {
@@ -65,7 +53,7 @@ void label_axes(const StudySpec& spec, GridLayout& layout) {
 
 /// Of a cell's pictures side by side, as they are.
 int cell_width_px(const StudySpec& spec) {
-  const int count = cell_is_the_grid(spec) ? 1 : static_cast<int>(shown_pictures(spec).size());
+  const int count = cell_is_the_grid(spec) ? 1 : static_cast<int>(picture_count(spec));
   return spec.base.image.width * count + kGapPx * (count - 1);
 }
 
@@ -73,7 +61,7 @@ GridLayout make_layout(const StudySpec& spec) {
   GridLayout layout;
   layout.title = spec.title;
   label_axes(spec, layout);
-  const int count = cell_is_the_grid(spec) ? 1 : static_cast<int>(shown_pictures(spec).size());
+  const int count = cell_is_the_grid(spec) ? 1 : static_cast<int>(picture_count(spec));
   const ImageParams& image = spec.base.image;
   const double side = std::max(image.width, image.height);
   const double scale = spec.grid_px == 0 ? 1.0 : std::min(1.0, spec.grid_px / side);
@@ -107,19 +95,23 @@ GridAxis grid_axis(const StudySpec& spec, size_t index) {
   return labels;
 }
 
-std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const StudyFolder& folder) {
+std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const StudyFolder& folder,
+                                                    const PictureSink& on_picture) {
   const GridLayout layout = make_layout(spec);
-  const auto read = [&](size_t index, const Shown& shown) {
-    return read_picture(folder.path() / folder.cell_file(index, shown.view, shown.buffer), 3);
+  const auto read = [&](size_t index, size_t shown) {
+    const std::vector<std::string> files = folder.picture_files(index);
+    Picture picture = read_picture(folder.path() / files[shown], 3);
+    on_picture(index, shown, picture);
+    return picture;
   };
   const auto cell_picture = [&](int column, int row, int page) -> std::optional<Picture> {
     const size_t columns = layout.columns.values.size();
     const size_t index = (static_cast<size_t>(page) * layout.rows.values.size() + row) * columns + column;
     if (!folder.is_done(cell_is_the_grid(spec) ? 0 : index)) return std::nullopt;
-    if (cell_is_the_grid(spec)) return read(0, {static_cast<size_t>(row), spec.show[column]});
+    if (cell_is_the_grid(spec)) return read(0, index);  // a view a row, a buffer a column
     Picture picture(cell_width_px(spec), spec.base.image.height, 3, 255);
     int x = 0;
-    for (const Shown& shown : shown_pictures(spec)) {
+    for (size_t shown = 0; shown < picture_count(spec); ++shown) {
       paste(picture, read(index, shown), x);
       x += spec.base.image.width + kGapPx;
     }

@@ -21,17 +21,18 @@ using testing::Not;
 
 class Study : public StudyTest {};
 
-TEST_F(Study, leaves_grid_cells_table_and_manifest) {
+TEST_F(Study, leaves_report_grid_cells_table_and_manifest) {
   write_spec("s", threshold_axis(3));
   const CommandResult result = study("s", "out");
   ASSERT_TRUE(succeeds(result));
   EXPECT_THAT(result.out, HasSubstr("A small study: 3 cells of 64 x 48 px, at most "));
   EXPECT_THAT(result.out, HasSubstr("out/grid.png\n"));
-  for (const char* name : {"grid.png", "data.csv", "manifest.json", "cells/0001_final.png",
+  for (const char* name : {"index.html", "grid.png", "data.csv", "manifest.json", "cells/0001_final.png",
                            "cells/0002_final.png", "cells/0003_final.png"}) {
     EXPECT_TRUE(fs::exists(file("out") / name)) << name;
   }
-  EXPECT_EQ(folder_content(file("out")).size(), 8U) << "and the journal, and the reference lines, which all cells share";
+  EXPECT_EQ(folder_content(file("out")).size(), 9U)
+      << "and the journal, and the reference lines, which all cells share";
   const Picture grid = read_picture(file("out/grid.png"), 3);
   EXPECT_GT(grid.width_px, 3 * 64);
   EXPECT_GT(grid.height_px, 48);
@@ -47,6 +48,29 @@ TEST_F(Study, manifest_says_what_was_run_with_what_and_when) {
   EXPECT_EQ(manifest.at("cells"), 2);
   EXPECT_THAT(manifest.at("renderer").at("name").get<std::string>(), Not(IsEmpty()));
   EXPECT_THAT(manifest.at("times").at("written").get<std::string>(), HasSubstr("T"));
+}
+
+TEST_F(Study, report_names_the_command_and_every_picture) {
+  write_spec("it's", "show = [\"final\", \"depth\"]\n" + threshold_axis(2));
+  const CommandResult result = study("it's", "out", {"--set", "camera.fov=40"});
+  ASSERT_TRUE(succeeds(result));
+  EXPECT_THAT(result.out, HasSubstr("out/index.html\n"));
+  const std::string page = content_of(file("out/index.html"));
+  EXPECT_THAT(page, HasSubstr("it&#39;\\&#39;&#39;s.toml&#39; --set camera.fov=40<"));
+  const size_t begin = page.find('{', page.find("id=\"study\""));
+  const nlohmann::json data =
+      nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  EXPECT_EQ(data.at("buffers"), nlohmann::json({"final", "depth"}));
+  ASSERT_EQ(data.at("cells").size(), 2U);
+  const nlohmann::json& cell = data.at("cells").at(1);
+  for (size_t i = 0; i < 2; ++i) {
+    const nlohmann::json& pattern = data.at("files").at(i);
+    const std::string path = pattern.at(0).get<std::string>() + cell.at("files").get<std::string>() +
+                             pattern.at(1).get<std::string>();
+    EXPECT_TRUE(fs::exists(file("out") / path)) << path;
+    EXPECT_GT(cell.at("thumbs").at(i).get<std::string>().size(), 40U);
+  }
+  EXPECT_EQ(cell.at("row").size(), 5U) << "all of data.csv but the files";
 }
 
 TEST_F(Study, table_has_parameters_then_numbers_then_files) {

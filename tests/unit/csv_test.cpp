@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "tests/unit/support.h"
+
 namespace inkbench {
 namespace {
 
@@ -32,6 +34,33 @@ TEST(Csv, commas_quotes_and_line_breaks_are_quoted) {
 
 TEST(Csv, a_quoted_field_does_not_touch_its_neighbours) {
   EXPECT_EQ(line_of({"a", "b,c", "d"}), "a,\"b,c\",d\n");
+}
+
+TEST(Csv, what_was_written_reads_back) {
+  const std::vector<std::string> head{"a", "b,c", "d"};
+  const std::vector<std::string> rows[] = {
+      {"1", "", "x"}, {"say \"no\"", "two\nlines", "\"\""}, {"", "", ""}};
+  std::string text = line_of(head);
+  for (const std::vector<std::string>& row : rows) text += line_of(row);
+  const CsvTable table = parse_csv(text);
+  EXPECT_EQ(table.columns, head);
+  ASSERT_EQ(table.rows.size(), 3U);
+  for (size_t i = 0; i < 3; ++i) EXPECT_EQ(table.rows[i], rows[i]);
+}
+
+TEST(Csv, damaged_text_reads_as_whole_rows) {
+  EXPECT_TRUE(parse_csv("").columns.empty());
+  const CsvTable table = parse_csv("a,b\n1\n1,2,3\n\"open, 5");
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"1", ""}));
+  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(table.rows[2], (std::vector<std::string>{"open, 5", ""}));
+}
+
+TEST(Csv, a_column_is_found_by_its_name) {
+  const CsvTable table = parse_csv("f1,f1_t1\n");
+  EXPECT_EQ(table.column("f1_t1"), 1U);
+  EXPECT_EQ(error_of([&] { table.column("f"); }, ErrorKind::work), "the table has no column f");
 }
 
 }  // namespace

@@ -132,8 +132,22 @@ TEST(Jaggedness, arc_length_runs_on_over_corners_and_repeated_points) {
   const Polyline corner = line({{10, 10}, {13.5, 10}, {13.5, 10}, {13.5, 17}});  // 10.5 px long
   EXPECT_EQ(line_offsets(ink, std::vector{corner}).samples, 11);
   EXPECT_EQ(line_offsets(ink, std::vector{line({{10, 10}, {14, 10}})}).samples, 5);
+  EXPECT_EQ(line_offsets(ink, std::vector{line({{10, 10}, {14, 10}, {14, 10}})}).samples, 5)
+      << "the last sample is there though the last point is repeated";
   EXPECT_EQ(line_offsets(ink, std::vector{line({{10, 10}, {10, 10}})}).samples, 0);
   EXPECT_EQ(line_offsets(ink, {}).samples, 0);
+}
+
+TEST(Jaggedness, pieces_that_reach_infinity_or_are_no_numbers_are_left_out) {
+  const LineMap ink = horizontal_band(0, 60);
+  const LineOffsets plain = line_offsets(ink, std::vector{line({{10, 10}, {14, 10}})});
+  for (const float bad : {INFINITY, -INFINITY, NAN}) {
+    for (const glm::vec2 point : {glm::vec2(bad, 10), glm::vec2(14, bad), glm::vec2(bad, -bad)}) {
+      const LineOffsets offsets = line_offsets(ink, std::vector{line({{10, 10}, {14, 10}, point, {20, 10}})});
+      EXPECT_EQ(offsets.samples, plain.samples);
+      EXPECT_EQ(offsets.sum, plain.sum);
+    }
+  }
 }
 
 }  // namespace

@@ -64,8 +64,15 @@ TEST_F(Journal, garbage_is_left_out_and_what_follows_is_read) {
         std::string("{\"cell\":0,\"key\":0,\"numbers\":[],\"files\":[]}"),
         std::string("{\"cell\":0,\"key\":\"k\",\"numbers\":[1],\"files\":[]}"),
         std::string("{\"cell\":0,\"key\":\"k\",\"numbers\":[],\"files\":[{}]}"),
-        std::string("{\"cell\":0,\"key\":\"k\",\"numbers\":[],\"files\":[1]}"), std::string("\xff\0\x01", 3),
-        std::string(100'000, '[')}) {
+        std::string("{\"cell\":0,\"key\":\"k\",\"numbers\":[],\"files\":[1]}"),
+        std::string("{\"cell\":-1,\"key\":\"k\",\"numbers\":[],\"files\":[]}"),
+        std::string("{\"cell\":1.5,\"key\":\"k\",\"numbers\":[],\"files\":[]}"),
+        std::string("{\"cell\":1e300,\"key\":\"k\",\"numbers\":[],\"files\":[]}"),
+        std::string("{\"cell\":true,\"key\":\"k\",\"numbers\":[],\"files\":[]}"),
+        std::string(
+            "{\"cell\":0,\"key\":\"k\",\"numbers\":[],\"files\":[{\"name\":\"a\",\"bytes\":1e99,\"hash\":"
+            "\"h\"}]}"),
+        std::string("\xff\0\x01", 3), std::string(100'000, '[')}) {
     const auto records = read(garbage + "\n" + journal_line(record(3)));
     ASSERT_EQ(records.size(), 1U) << garbage.substr(0, 80);
     EXPECT_TRUE(records.contains(3));

@@ -201,6 +201,21 @@ TEST_F(Resume, drops_records_with_other_numbers) {
   EXPECT_THAT(done(), ElementsAre(0, 1, 3));
 }
 
+TEST_F(Resume, drops_records_whose_reference_lines_lie_elsewhere) {
+  const std::string good = "reference/0000000000000002.svg";
+  const std::string before = journal();
+  for (const char* bad : {"reference//000000000000002.svg", "reference/../0000000000002.svg",
+                          "referenc/00000000000000002.svg", "reference/000000000000000g.svg"}) {
+    std::string changed = before;
+    const size_t place = changed.find(good);
+    ASSERT_NE(place, std::string::npos);
+    folder_.write("journal.jsonl", changed.replace(place, good.size(), bad));
+    folder_.write(bad, "lines");
+    EXPECT_THAT(done(), ElementsAre(0, 1, 3)) << bad;
+    folder_.write(good, "lines");
+  }
+}
+
 TEST_F(StudyFolderTest, files_get_more_digits_in_large_studies) {
   {
     const StudyFolder small(spec_, folder_.path(), keys_of(9999), false);

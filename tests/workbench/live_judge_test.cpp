@@ -63,7 +63,7 @@ TEST(Judge, equals_the_measures_of_a_study) {
   const JudgeRequest asked = request(7);
   const Judgement result = judge(asked);
   const LineView view = line_view(drawn_lines(*asked.view.edges), *asked.view.lines);
-  EXPECT_EQ(measures_json(result.measures), measures_json(measure_view(view, *asked.view.lines)));
+  EXPECT_EQ(measures_json(result.measures), measures_json(measures_of(tally_view(view, *asked.view.lines))));
   EXPECT_EQ(result.id, 7U);
   EXPECT_EQ(result.error, "");
   EXPECT_GT(result.seconds, 0);

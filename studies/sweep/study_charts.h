@@ -1,0 +1,22 @@
+// A finished study's charts: from the spec and data.csv to a script, an SVG and a PNG each.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "studies/sweep/spec.h"
+
+namespace inkbench {
+
+struct DrawnChart {
+  std::string name, title;
+  std::filesystem::path svg, png, script;
+};
+
+/// Reads `folder`/data.csv and writes charts/NAME.gp, .svg and .png. What fails is told in `failures`; a
+/// chart that failed has no pictures but, if it got that far, its script. The others are returned.
+std::vector<DrawnChart> draw_study_charts(const StudySpec& spec, const std::filesystem::path& folder,
+                                          std::vector<std::string>& failures);
+
+}  // namespace inkbench

@@ -1,0 +1,148 @@
+#include "studies/sweep/study_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "pipeline/base/files.h"
+#include "pipeline/base/text.h"
+#include "studies/reference/drawing.h"
+#include "studies/sweep/number_columns.h"
+
+namespace inkbench {
+namespace {
+
+std::string count_text(size_t count, const std::string& name) {
+  return with_commas(static_cast<long long>(count)) + " " + name + (count == 1 ? "" : "s");
+}
+
+std::vector<PageAxis> page_axes(const StudySpec& spec) {
+  std::vector<PageAxis> axes;
+  for (const Axis& axis : spec.axes) {
+    PageAxis& labels = axes.emplace_back(PageAxis{axis.label, {}});
+    for (const Value& value : axis.values) labels.values.push_back(label_text(value));
+  }
+  if (!axes.empty() && !spec.variants.empty()) {
+    PageAxis& labels = axes.emplace_back();
+    for (const NamedSet& variant : spec.variants) labels.values.push_back(variant.name);
+  }
+  return axes;
+}
+
+/// All but the FILE_ columns, which come last: the page shows the files.
+std::vector<PageColumn> page_columns(const StudySpec& spec, const StudyFolder& folder) {
+  std::vector<std::string> names = folder.columns();
+  names.resize(names.size() - view_count(spec) * spec.show.size());
+  const std::vector<std::string> numbers = number_columns(spec);
+  std::vector<PageColumn> columns;
+  for (const std::string& name : names) columns.push_back({name, ColumnKind::parameter});
+  columns.front().kind = ColumnKind::cell;
+  columns.back().kind = ColumnKind::error;
+  if (!spec.variants.empty()) columns[1].kind = ColumnKind::name;
+  for (size_t i = 0; i < numbers.size(); ++i) columns[columns.size() - 2 - i].kind = ColumnKind::number;
+  return columns;
+}
+
+PageCell page_cell(const StudySpec& spec, const StudyFolder& folder, size_t index, size_t columns) {
+  PageCell cell;
+  cell.name = make_cell(spec, index).name;
+  cell.row = folder.fields(index);
+  if (!cell.row.empty()) cell.row.resize(columns);
+  if (folder.is_done(index)) {
+    cell.pictures = folder.picture_files(index);
+    for (size_t view = 0; view < view_count(spec); ++view)
+      cell.overlays.push_back(folder.overlay_file(index, view));
+  } else if (!cell.row.empty()) {
+    cell.error = cell.row.back();
+  }
+  return cell;
+}
+
+std::vector<std::string> facts(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin) {
+  std::vector<std::string> sides;
+  for (const PageAxis& axis : page_axes(spec)) sides.push_back(std::to_string(axis.values.size()));
+  const size_t count = cell_count(spec);
+  const size_t failed = count - folder.done_count();
+  const ImageParams& image = spec.base.image;
+  return {count_text(count, "cell") + (sides.size() > 1 ? " (" + join(sides, " × ") + ")" : ""),
+          std::to_string(image.width) + " × " + std::to_string(image.height) + " px",
+          spec.show.size() == 1 ? std::string(name_of(spec.show.front()))
+                                : count_text(spec.show.size(), "buffer"),
+          origin.renderer, failed == 0 ? "finished" : "finished, " + count_text(failed, "cell") + " failed"};
+}
+
+StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin) {
+  StudyPage page;
+  page.title = spec.title;
+  page.purpose = spec.purpose;
+  page.facts = facts(spec, folder, origin);
+  page.width_px = spec.base.image.width;
+  page.height_px = spec.base.image.height;
+  if (spec.views.empty()) page.views = {""};
+  for (const NamedSet& view : spec.views) page.views.push_back(view.name);
+  for (const BufferName buffer : spec.show) page.buffers.emplace_back(name_of(buffer));
+  page.axes = page_axes(spec);
+  page.columns = page_columns(spec, folder);
+  page.cell_count = cell_count(spec);
+  for (size_t i = 0; i < std::min(page.cell_count, kMaxPageCells); ++i)
+    page.cells.push_back(page_cell(spec, folder, i, page.columns.size()));
+  for (const LineClass line_class : kLineClasses) {
+    const auto [r, g, b] = colour_of(line_class);
+    page.overlay_classes.emplace_back(name_of(line_class), fmt::format("#{:02x}{:02x}{:02x}", r, g, b));
+  }
+  page.command = origin.command;
+  page.versions = origin.versions;
+  page.spec_name = spec.path.filename().string();
+  page.spec_text = spec.text;
+  return page;
+}
+
+size_t worker_count() {
+  return std::clamp<size_t>(std::thread::hardware_concurrency(), 1, 8);
+}
+
+}  // namespace
+
+StudyPageWriter::StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin)
+    : folder_(folder.path()),
+      page_(make_page(spec, folder, origin)),
+      plan_(plan_thumbnails(page_.cells.size(), view_count(spec) * spec.show.size(), thumbnail_room(page_))),
+      workers_(worker_count(), worker_count()) {
+  for (PageCell& cell : page_.cells) cell.thumbnails.resize(std::min(cell.pictures.size(), plan_.per_cell));
+}
+
+void StudyPageWriter::add(size_t cell, size_t shown, const Picture& picture) {
+  if (cell >= page_.cells.size() || shown >= plan_.per_cell) return;
+  workers_.add(
+      [this, cell, shown, copy = std::make_shared<Picture>(picture)] { make_thumbnail(cell, shown, *copy); });
+}
+
+void StudyPageWriter::make_thumbnail(size_t cell, size_t shown, const Picture& picture) {
+  try {
+    page_.cells[cell].thumbnails[shown] = thumbnail(picture, plan_);
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    failure_ = std::current_exception();
+  }
+}
+
+fs::path StudyPageWriter::write(const std::vector<fs::path>& grids, const std::vector<DrawnChart>& charts) {
+  workers_.wait();
+  if (failure_) std::rethrow_exception(failure_);
+  page_.links = {{"data.csv", "data.csv"}, {"manifest.json", "manifest.json"}};
+  for (const fs::path& grid : grids)
+    page_.links.push_back({grid.filename().string(), grid.filename().string()});
+  for (const DrawnChart& chart : charts) {
+    PageChart& shown = page_.charts.emplace_back(PageChart{chart.title, read_file(chart.svg), {}});
+    for (const auto& [text, file] :
+         {std::pair("SVG", chart.svg), {"PNG", chart.png}, {"gnuplot", chart.script}})
+      shown.links.push_back({text, ("charts" / file.filename()).string()});
+  }
+  const fs::path path = folder_ / "index.html";
+  write_file_atomically(path, page_html(page_));
+  return path;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,51 @@
+// A finished study's report page, index.html. In: the study's spec and folder, and its pictures as the grid
+// reads them. Out: the file, beside grid.png.
+#pragma once
+
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studies/report/page.h"
+#include "studies/report/thumbnail.h"
+#include "studies/sweep/spec.h"
+#include "studies/sweep/study_charts.h"
+#include "studies/sweep/study_folder.h"
+#include "studies/sweep/worker_pool.h"
+
+namespace inkbench {
+
+/// How the study was run.
+struct StudyOrigin {
+  std::string command;
+  std::string renderer;
+  std::vector<std::pair<std::string, std::string>> versions;
+};
+
+class StudyPageWriter {
+ public:
+  /// All cells must have ended.
+  StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin);
+
+  /// Makes a picture's thumbnail on another thread. Each picture is given once, from one thread.
+  void add(size_t cell, size_t shown, const Picture& picture);
+
+  /// Writes index.html; returns its path. Errors (work): full disk, a thumbnail could not be made.
+  std::filesystem::path write(const std::vector<std::filesystem::path>& grids,
+                              const std::vector<DrawnChart>& charts);
+
+ private:
+  void make_thumbnail(size_t cell, size_t shown, const Picture& picture);
+
+  std::filesystem::path folder_;
+  StudyPage page_;
+  ThumbnailPlan plan_;
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+  WorkerPool workers_;  // last: it ends before what its threads use
+};
+
+}  // namespace inkbench
