@@ -37,6 +37,7 @@ constexpr std::array kParameters{
     Entry{"Right click", "reset to the scene's value"},
     Entry{"R", "edit the ramps; Delete removes a stop"},
     Entry{"Ctrl+F", "search parameters"},
+    Entry{"S, Shift+S", "sweep the one under the mouse; as a grid"},
 };
 
 constexpr std::array kCamera{
@@ -49,6 +50,7 @@ constexpr std::array kCamera{
 constexpr std::array kWindow{
     Entry{"Tab", "pictures alone; again for all panels"},
     Entry{"Ctrl+Z, Ctrl+Y", "undo; redo"},
+    Entry{"F3", "the studies, or the pictures"},
     Entry{"F11, F12", "full screen; save a screenshot"},
     Entry{"Ctrl+O, Ctrl+Q", "open a file; quit"},
     Entry{"F1", "this page"},

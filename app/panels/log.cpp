@@ -6,6 +6,7 @@
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
+#include "app/workbench/place_in_text.h"
 
 namespace inkbench {
 namespace {
@@ -22,7 +23,24 @@ std::string line_of(const Message& message) {
   return line;
 }
 
-void draw_message(const Message& message, int index) {
+/// Where the message names a place in a file: a word to press, which copies it for an editor.
+void draw_place(Workbench& bench, const Message& message) {
+  if (message.severity == Severity::note) return;
+  const std::string place = place_in_text(message.text);
+  if (place.empty()) return;
+  ImGui::SetCursorPosX(scaled(74));
+  const float width = ImGui::CalcTextSize(place.c_str()).x;
+  ImGui::PushStyleColor(ImGuiCol_Text, theme().accent);
+  const bool pressed = ImGui::Selectable(place.c_str(), false, 0, {width, 0});
+  ImGui::PopStyleColor();
+  bench.ui_map.mark_item("place:" + place);
+  help_for_item("Copies " + whole_place(place));
+  if (!pressed) return;
+  ImGui::SetClipboardText(whole_place(place).c_str());
+  bench.tell(Severity::note, "copied " + whole_place(place));
+}
+
+void draw_message(Workbench& bench, const Message& message, int index) {
   ImGui::PushID(index);
   faint_text(message.time);
   ImGui::SameLine(scaled(74));
@@ -36,6 +54,7 @@ void draw_message(const Message& message, int index) {
     if (ImGui::MenuItem("Copy")) ImGui::SetClipboardText(message.text.c_str());
     ImGui::EndPopup();
   }
+  draw_place(bench, message);
   ImGui::PopID();
 }
 
@@ -58,7 +77,7 @@ void LogPanel::draw(Workbench& bench) {
     const bool shown = (!only_errors_ || message.severity == Severity::error) &&
                        (filter_.empty() || message.text.find(filter_) != std::string::npos);
     if (!shown) continue;
-    draw_message(message, index++);
+    draw_message(bench, message, index++);
     if (copies) copied += line_of(message) + "\n";
   }
   if (copies) ImGui::SetClipboardText(copied.c_str());

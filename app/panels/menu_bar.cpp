@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/panels/shortcuts.h"
+#include "app/panels/shaders_menu.h"
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
@@ -49,6 +50,7 @@ void MenuBar::file_menu(Workbench& bench) {
   }
   ImGui::Separator();
   if (item(bench, "Reset all to the scene")) bench.replace(bench.baseline());
+  shaders_menu(bench);
   ImGui::Separator();
   if (item(bench, "Quit", "Ctrl+Q")) bench.requests.close = true;
   ImGui::EndMenu();

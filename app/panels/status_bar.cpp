@@ -11,8 +11,10 @@ namespace inkbench {
 
 void draw_status_bar(Workbench& bench) {
   const ImageParams& image = bench.settings().image;
-  const std::string left = fmt::format("{}    {} × {} px    {:.0f} %", bench.scene_name(), image.width,
-                                       image.height, bench.view.magnification * 100.0);
+  std::string left = fmt::format("{}    {} × {} px    {:.0f} %", bench.scene_name(), image.width,
+                                 image.height, bench.view.magnification * 100.0);
+  if (const StudyJob* study = bench.studies.running())
+    left += fmt::format("    {}: {} of {}", study->title, study->done, study->total);
   static const std::string renderer = renderer_info().renderer;
   const std::string right = fmt::format("{}    {:.1f} ms a frame", renderer, bench.frame_times.mean_ms);
   faint_text(left);

@@ -33,7 +33,8 @@ void close_button(Workbench& bench) {
 
 void follow_studies(Workbench& bench) {
   bench.studies.poll();
-  for (const std::string& message : bench.studies.take_messages()) bench.tell(Severity::warning, message);
+  for (const Studies::Message& message : bench.studies.take_messages())
+    bench.tell(message.is_problem ? Severity::error : Severity::note, message.text);
   if (bench.studies.is_busy()) bench.wake_in(kFollowSeconds);
 }
 

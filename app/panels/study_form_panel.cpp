@@ -223,7 +223,7 @@ void StudyFormPanel::draw_spec(Workbench& bench, const CheckedForm& checked) {
   bench.ui_map.mark_item("spec text");
   ImGui::PopFont();
   if (!form.own_text) {
-    faint_text("What is typed here replaces the form.");
+    fitted_text("Typing here replaces the form.", ImGui::GetContentRegionAvail().x, theme().faint);
   } else if (!form.request.axes.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme().accent);
     const bool back =
@@ -232,7 +232,7 @@ void StudyFormPanel::draw_spec(Workbench& bench, const CheckedForm& checked) {
     bench.ui_map.mark_item("back to the form");
     if (back) form.own_text.reset();
   } else {
-    faint_text("A changed text is saved under the name on the left.");
+    fitted_text("Changes are saved under the name.", ImGui::GetContentRegionAvail().x, theme().faint);
   }
 }
 

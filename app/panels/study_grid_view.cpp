@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
@@ -110,6 +111,18 @@ void draw_failed(ImDrawList& list, ImVec2 low, ImVec2 high) {
   list.AddText({(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2}, theme().error, "failed");
 }
 
+/// One to one once it is there at this size; until then the one of another size, stretched.
+void draw_fitted(ImDrawList& list, const Texture& texture, ImVec2 low, ImVec2 room) {
+  const auto width = static_cast<float>(texture.width_px());
+  const auto height = static_cast<float>(texture.height_px());
+  const float scale = std::min(room.x / width, room.y / height);
+  const bool fits = scale >= 1.0F && scale < 1.05F;
+  const ImVec2 size{fits ? width : std::floor(width * scale), fits ? height : std::floor(height * scale)};
+  const ImVec2 at{std::floor(low.x + (room.x - size.x) / 2), std::floor(low.y + (room.y - size.y) / 2)};
+  list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture.id())), at,
+                {at.x + size.x, at.y + size.y}, {0, 1}, {1, 0});
+}
+
 void draw_thumbnail(const StudyResults& results, size_t cell, const GridChoice& choice,
                     Thumbnails& thumbnails, ImVec2 low, ImVec2 high) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -118,21 +131,10 @@ void draw_thumbnail(const StudyResults& results, size_t cell, const GridChoice& 
     return results.error(cell).empty() ? draw_waiting(list, low, high) : draw_failed(list, low, high);
   const ImVec2 room{high.x - low.x, high.y - low.y};
   const Texture* texture = thumbnails.get(file, static_cast<int>(room.x), static_cast<int>(room.y));
-  if (texture == nullptr) {
-    draw_waiting(list, low, high);
-    if (!thumbnails.problem(file).empty())
-      list.AddText({low.x + scaled(4), low.y + scaled(4)}, theme().error, "?");
-    return;
-  }
-  const auto width = static_cast<float>(texture->width_px()),
-             height = static_cast<float>(texture->height_px());
-  // One to one once it is there at this size; until then the one of another size, stretched.
-  const float scale = std::min(room.x / width, room.y / height);
-  const bool fits = scale >= 1.0F && scale < 1.05F;
-  const ImVec2 size{fits ? width : std::floor(width * scale), fits ? height : std::floor(height * scale)};
-  const ImVec2 at{std::floor(low.x + (room.x - size.x) / 2), std::floor(low.y + (room.y - size.y) / 2)};
-  list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture->id())), at,
-                {at.x + size.x, at.y + size.y}, {0, 1}, {1, 0});
+  if (texture != nullptr) return draw_fitted(list, *texture, low, room);
+  draw_waiting(list, low, high);
+  if (!thumbnails.problem(file).empty())
+    list.AddText({low.x + scaled(4), low.y + scaled(4)}, theme().error, "?");
 }
 
 void tooltip_line(const std::string& name, const std::string& value, float column) {
@@ -152,7 +154,21 @@ void draw_numbers(const StudyResults& results, size_t cell, float column) {
   }
 }
 
-void cell_tooltip(const StudyResults& results, size_t cell) {
+/// Larger than in the grid, where its cells are small.
+void draw_preview(const StudyResults& results, size_t cell, const GridChoice& choice, Thumbnails& thumbnails,
+                  ImVec2 cell_size) {
+  const float width = scaled(240);
+  const std::filesystem::path file = results.picture(cell, choice.picture);
+  if (file.empty() || cell_size.x > width * 0.75F) return;
+  const ImVec2 room{std::floor(width), std::floor(width * cell_size.y / cell_size.x)};
+  const Texture* texture = thumbnails.get(file, static_cast<int>(room.x), static_cast<int>(room.y), 1);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImGui::Dummy(room);
+  if (texture != nullptr) draw_fitted(*ImGui::GetWindowDrawList(), *texture, low, room);
+}
+
+void cell_tooltip(const StudyResults& results, size_t cell, const GridChoice& choice, Thumbnails& thumbnails,
+                  ImVec2 cell_size) {
   const StudySpec& spec = results.spec();
   const Cell made = make_cell(spec, cell);
   float column = 0;
@@ -169,6 +185,7 @@ void cell_tooltip(const StudyResults& results, size_t cell) {
   if (results.has(cell) && results.error(cell).empty()) {
     ImGui::Dummy({0, scaled(2)});
     draw_numbers(results, cell, column);
+    draw_preview(results, cell, choice, thumbnails, cell_size);
     faint_text("Click takes over these parameters.");
   } else if (results.has(cell)) {
     coloured_text(theme().error, results.error(cell));
@@ -177,6 +194,17 @@ void cell_tooltip(const StudyResults& results, size_t cell) {
   }
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+}
+
+/// A value with as many digits as there is room for.
+std::string fitting_value(const std::string& text, float width) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_number = !text.empty() && end == text.c_str() + text.size();
+  std::string shown = text;
+  for (int digits = 3; is_number && digits > 0 && text_width(shown) > width; --digits)
+    shown = fmt::format("{:.{}g}", value, digits);
+  return shown;
 }
 
 void draw_centred(ImDrawList& list, ImVec2 low, float width, ImU32 colour, const std::string& text) {
@@ -274,11 +302,11 @@ class GridView {
     }
     if (plan_.flows)
       draw_centred(list, {low.x, low.y - plan_.value_height}, plan_.cell.x, theme().faint,
-                   results_.columns().values[row * plan_.columns + column]);
+                   fitting_value(results_.columns().values[row * plan_.columns + column], plan_.cell.x));
     if (choice_.number)
       draw_centred(list, {low.x, high.y + scaled(1)}, plan_.cell.x, theme().text,
                    short_number(results_.number(cell, *choice_.number)));
-    if (hot) cell_tooltip(results_, cell);
+    if (hot) cell_tooltip(results_, cell, choice_, thumbnails_, plan_.cell);
     ImGui::PopID();
   }
 
@@ -298,7 +326,7 @@ class GridView {
     if (!plan_.flows) {
       for (size_t column = columns_.first; column < columns_.second; ++column)
         draw_centred(list, {corner(0, column).x, top + plan_.value_height}, plan_.cell.x, theme().faint,
-                     columns.values[column]);
+                     fitting_value(columns.values[column], plan_.cell.x));
     }
     if (plan_.left == 0) return;
     const GridAxis& rows = results_.rows();

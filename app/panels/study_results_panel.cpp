@@ -102,6 +102,7 @@ void StudyResultsPanel::draw_choices(Workbench& bench, const StudyResults& resul
       for (size_t i = 0; i < count; ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable(name(i).c_str(), name(i) == now)) choose(i);
+        bench.ui_map.mark_item(std::string(id) + "=" + name(i));
         ImGui::PopID();
       }
       ImGui::EndCombo();
@@ -185,7 +186,9 @@ void StudyResultsPanel::draw(Workbench& bench) {
   }
   const StudyResults& results = *studies.results();
   const float width = ImGui::GetContentRegionAvail().x;
-  fitted_text(state_text(listed) + "    " + plan_text(results.spec()) + "    " + results.folder().string(),
+  const bool all_done = listed.state == StudyState::finished && results.failed() == 0;
+  fitted_text((all_done ? "finished" : state_text(listed)) + "    " + plan_text(results.spec()) + "    " +
+                  results.folder().string(),
               width, theme().faint);
   if (listed.job != nullptr && listed.job->is_over() && !listed.job->problem.empty())
     fitted_text(listed.job->problem, width, theme().error);

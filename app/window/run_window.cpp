@@ -267,6 +267,8 @@ void WindowLoop::run() {
     fmt::print("{} frames, {:.1f} ms each, {:.1f} a second\n", frames, 1e3 * seconds / frames,
                frames / seconds);
   }
+  window_.hide();  // the end of a study's cell may take a moment
+  bench_.studies.stop();
   write_state();
   save_session(true);
 }

@@ -1,9 +1,12 @@
 #include "app/window/studies.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <unordered_set>
 #include <utility>
 
+#include "app/workbench/duration_text.h"
 #include "app/workbench/study_plan.h"
 #include "app/workbench/user_folder.h"
 #include "pipeline/base/error.h"
@@ -36,7 +39,7 @@ Studies::Studies() : queue_(own_program()) {
     for (const RecentStudy& study : load_recent_studies(list_file()))
       recent_.push_back({study, summary_of(study.folder)});
   } catch (const Error& error) {
-    messages_.emplace_back(error.what());
+    messages_.push_back({true, error.what()});
   }
 }
 
@@ -58,7 +61,7 @@ void Studies::remember(const RecentStudy& study) {
   try {
     save_recent_studies(list_file(), studies);
   } catch (const Error& error) {
-    messages_.emplace_back(error.what());
+    messages_.push_back({true, error.what()});
   }
 }
 
@@ -177,6 +180,12 @@ const StudyJob* Studies::running() const {
 }
 
 void Studies::note_end(const StudyJob& job) {
+  if (job.state == StudyState::finished)
+    messages_.push_back({false, fmt::format("{}: finished, {} cells in {}", job.title, job.done,
+                                            duration_text(job.seconds))});
+  if (job.state == StudyState::stopped)
+    messages_.push_back(
+        {false, fmt::format("{}: stopped after {} of {} cells", job.title, job.done, job.total)});
   for (Known& known : recent_) {
     if (known.study.folder == job.folder) known.summary = summary_of(job.folder);
   }
@@ -195,7 +204,7 @@ bool Studies::poll() {
   }
   if (open.empty()) return false;
   const bool changed = queue_.poll();
-  for (const std::string& message : queue_.take_messages()) messages_.push_back(message);
+  for (const std::string& message : queue_.take_messages()) messages_.push_back({true, message});
   for (const StudyJob& job : queue_.jobs()) {
     if (job.is_over() && open.contains(job.number)) note_end(job);
   }
@@ -207,7 +216,7 @@ void Studies::stop() {
   queue_.stop_all(kPatienceSeconds);
 }
 
-std::vector<std::string> Studies::take_messages() {
+std::vector<Studies::Message> Studies::take_messages() {
   return std::exchange(messages_, {});
 }
 

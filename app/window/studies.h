@@ -66,7 +66,11 @@ class Studies {
   const StudyJob* running() const;
   /// Before the window goes: ends what runs, so that it can be continued.
   void stop();
-  std::vector<std::string> take_messages();
+  struct Message {
+    bool is_problem = false;
+    std::string text;
+  };
+  std::vector<Message> take_messages();
 
   // --- the one that is looked at ---
 
@@ -93,7 +97,7 @@ class Studies {
     StudySummary summary;  ///< As it was when last looked at.
   };
   std::vector<Known> recent_;
-  std::vector<std::string> messages_;
+  std::vector<Message> messages_;
   StudyQueue queue_;
   std::optional<StudyForm> form_;
   struct {

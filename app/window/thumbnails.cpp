@@ -67,7 +67,7 @@ void Thumbnails::serve() {
 
 void Thumbnails::take(Answer& answer) {
   if (answer.wish.revision != revision_) return;
-  Entry& entry = entries_[answer.wish.file];
+  Entry& entry = entries_[{answer.wish.file, answer.wish.slot}];
   entry.width_px = answer.wish.width_px;
   entry.height_px = answer.wish.height_px;
   entry.problem = answer.problem;
@@ -82,17 +82,17 @@ void Thumbnails::take(Answer& answer) {
 /// Those that were wanted longest ago go first; what the last frame showed stays.
 void Thumbnails::drop_unused() {
   double bytes = 0;
-  std::vector<std::pair<long, std::string>> by_age;
-  for (const auto& [file, entry] : entries_) {
+  std::vector<std::pair<long, Place>> by_age;
+  for (const auto& [place, entry] : entries_) {
     bytes += 4.0 * entry.texture.width_px() * entry.texture.height_px();
-    if (entry.frame < frame_ - 1) by_age.emplace_back(entry.frame, file);
+    if (entry.frame < frame_ - 1) by_age.emplace_back(entry.frame, place);
   }
   std::sort(by_age.begin(), by_age.end());
-  for (const auto& [age, file] : by_age) {
+  for (const auto& [age, place] : by_age) {
     if (bytes <= kMemoryBytes) return;
-    const Texture& texture = entries_.at(file).texture;
+    const Texture& texture = entries_.at(place).texture;
     bytes -= 4.0 * texture.width_px() * texture.height_px();
-    entries_.erase(file);
+    entries_.erase(place);
   }
 }
 
@@ -108,19 +108,19 @@ void Thumbnails::begin_frame() {
   if (!answers.empty()) drop_unused();
 }
 
-const Texture* Thumbnails::get(const std::filesystem::path& file, int width_px, int height_px) {
+const Texture* Thumbnails::get(const std::filesystem::path& file, int width_px, int height_px, int slot) {
   const std::string name = file.string();
-  const auto found = entries_.find(name);
+  const auto found = entries_.find({name, slot});
   const bool is_right =
       found != entries_.end() && found->second.width_px == width_px && found->second.height_px == height_px;
-  if (!is_right) wanted_.push_back({name, width_px, height_px, revision_});
+  if (!is_right) wanted_.push_back({name, width_px, height_px, slot, revision_});
   if (found == entries_.end()) return nullptr;
   found->second.frame = frame_;
   return found->second.texture.width_px() > 0 ? &found->second.texture : nullptr;
 }
 
 std::string Thumbnails::problem(const std::filesystem::path& file) const {
-  const auto found = entries_.find(file.string());
+  const auto found = entries_.find({file.string(), 0});
   return found == entries_.end() ? "" : found->second.problem;
 }
 

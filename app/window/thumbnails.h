@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "pipeline/gl/texture.h"
@@ -25,8 +26,9 @@ class Thumbnails {
 
   /// Before the first `get` of a frame: takes in what was read.
   void begin_frame();
-  /// The picture fitted into the size; one of another size or nullptr while that is being read.
-  const Texture* get(const std::filesystem::path& file, int width_px, int height_px);
+  /// The picture fitted into the size; one of another size or nullptr while that is being read. A file that
+  /// is shown at two sizes at once needs a slot for each.
+  const Texture* get(const std::filesystem::path& file, int width_px, int height_px, int slot = 0);
   /// Why the file cannot be shown; "" where it can or is not read yet.
   std::string problem(const std::filesystem::path& file) const;
   /// After the last `get`: what was asked for is read next, and nothing else.
@@ -38,7 +40,7 @@ class Thumbnails {
  private:
   struct Wish {
     std::string file;
-    int width_px = 0, height_px = 0;
+    int width_px = 0, height_px = 0, slot = 0;
     long revision = 0;
     bool operator==(const Wish&) const = default;
   };
@@ -57,7 +59,8 @@ class Thumbnails {
   void take(Answer& answer);
   void drop_unused();
 
-  std::map<std::string, Entry> entries_;
+  using Place = std::pair<std::string, int>;  ///< File and slot.
+  std::map<Place, Entry> entries_;
   std::vector<Wish> wanted_;
   long frame_ = 0, revision_ = 0;
   bool waiting_ = false;

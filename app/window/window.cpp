@@ -89,6 +89,10 @@ void Window::show() {
   glfwFocusWindow(handle_);
 }
 
+void Window::hide() {
+  glfwHideWindow(handle_);
+}
+
 bool Window::wants_to_close() const {
   return glfwWindowShouldClose(handle_) == GLFW_TRUE;
 }

@@ -25,6 +25,7 @@ class Window {
 
   GLFWwindow* handle() const { return handle_; }
   void show();
+  void hide();
   bool wants_to_close() const;
   void close();
   /// Of what is drawn into, in the display's pixels.

@@ -166,7 +166,7 @@ CheckedForm check_form(const StudyForm& form, const Settings& settings, const fs
   try {
     check_place(form);
     checked.draft = make_draft(form, settings, scene);
-    checked.out = form.folder / checked.draft.path.stem();
+    checked.out = form.folder / (form.name.empty() ? checked.draft.path.stem().string() : form.name);
     checked.is_saved = holds(checked.draft.path, checked.draft.text);
     checked.note = note_of(checked);
     checked.spec = spec_of(checked.draft);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <sstream>
 
 #include "pipeline/image/image_file.h"
 #include "tests/cli/study_fixture.h"
@@ -36,6 +37,25 @@ TEST_F(Study, leaves_report_grid_cells_table_and_manifest) {
   const Picture grid = read_picture(file("out/grid.png"), 3);
   EXPECT_GT(grid.width_px, 3 * 64);
   EXPECT_GT(grid.height_px, 48);
+}
+
+TEST_F(Study, progress_for_programs_is_a_json_line_for_each_step) {
+  write_spec("s", threshold_axis(3));
+  const CommandResult result = study("s", "out", {"--progress", "json"});
+  ASSERT_TRUE(succeeds(result));
+  std::vector<nlohmann::json> steps;
+  std::istringstream lines(result.out);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('{')) steps.push_back(nlohmann::json::parse(line));
+  }
+  ASSERT_GE(steps.size(), 2U);
+  EXPECT_EQ(steps.front().at("done"), 0);
+  EXPECT_EQ(steps.front().at("total"), 3);
+  EXPECT_EQ(steps.back().at("done"), 3);
+  EXPECT_EQ(steps.back().at("drawn"), 3);
+  EXPECT_EQ(steps.back().at("failed"), 0);
+  EXPECT_GT(steps.back().at("seconds"), 0.0);
+  EXPECT_TRUE(is_input_error(study("s", "out", {"--progress", "loud"}), {"--progress", "loud"}));
 }
 
 TEST_F(Study, manifest_says_what_was_run_with_what_and_when) {

@@ -57,6 +57,15 @@ TEST(Csv, damaged_text_reads_as_whole_rows) {
   EXPECT_EQ(table.rows[2], (std::vector<std::string>{"open, 5", ""}));
 }
 
+TEST(Csv, rows_that_are_still_written_wait_for_their_end) {
+  size_t used = 0;
+  const std::string text = "a,b\n\"two\nlines\",\"x\"\"y\"\n1,\"half\n";
+  const auto rows = csv_rows(text, used);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"two\nlines", "x\"y"}));
+  EXPECT_EQ(text.substr(used), "1,\"half\n");
+}
+
 TEST(Csv, a_column_is_found_by_its_name) {
   const CsvTable table = parse_csv("f1,f1_t1\n");
   EXPECT_EQ(table.column("f1_t1"), 1U);
