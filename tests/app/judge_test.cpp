@@ -24,11 +24,7 @@ class AppJudge : public AppTest {
   }
 
   void set_number(const std::string& key, const std::string& text) {
-    xdotool({"keydown", "ctrl"});
-    click("bar:" + key);
-    xdotool({"keyup", "ctrl"});
-    settled();
-    type(text + "\n");
+    type_over("bar:" + key, text);
     wait_for(key, [&](const Json& now) { return parameter(now, key) == text; });
     settled();
   }

@@ -82,9 +82,10 @@ TEST_F(AppRamps, saved_ramp_loads_again_and_an_image_turns_into_stops) {
   const auto answer = [&](const std::string& button, const std::string& name) {
     click(button + ":" + key_);
     wait_for("the question", [](const Json& now) { return now["ui"].contains("question:path"); });
-    settled();
+    wait_for_text_field();
     keys("ctrl+a");
-    type(file(name).string() + "\n");
+    type(file(name).string());
+    keys("Return");
     wait_for("the answer", [](const Json& now) { return !now["ui"].contains("question:path"); });
     settled();
   };
