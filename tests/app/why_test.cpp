@@ -71,8 +71,9 @@ TEST_F(AppWhy, dragging_and_double_clicking_mark_nothing) {
 TEST_F(AppWhy, dragging_a_mark_of_the_histogram_fixes_what_is_white) {
   open();
   click("tile:normal_edges");
-  settled();
-  keys("Escape");  // the mark; the buffer stays selected
+  wait_for("the mark", [](const Json& now) { return !now["why"].is_null(); });
+  keys("Escape");  // the buffer stays selected
+  wait_for("no mark", [](const Json& now) { return now["why"].is_null(); });
   wait_for("the histogram", [](const Json& now) { return now["ui"].contains("mark:white"); });
   const Json before = settled();
   const Place from = place("mark:white");
