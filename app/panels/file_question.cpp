@@ -12,6 +12,12 @@
 #include "pipeline/base/error.h"
 
 namespace inkbench {
+namespace {
+
+/// Until the text field has the keyboard.
+constexpr int kFramesToSettle = 4;
+
+}  // namespace
 
 void FileQuestion::ask(const std::string& title, const std::string& hint, const std::string& action,
                        std::function<void(const std::string&)> answer) {
@@ -37,6 +43,9 @@ void FileQuestion::draw(Workbench& bench) {
   constexpr const char* kId = "file question";
   const bool appears = std::exchange(opening_, false);
   if (appears) ImGui::OpenPopup(kId);
+  if (appears) frames_to_settle_ = kFramesToSettle;
+  if (frames_to_settle_ > 0) bench.wake_in(0.0);
+  frames_to_settle_ = std::max(frames_to_settle_ - 1, 0);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 3}, ImGuiCond_Appearing, {0.5F, 0.5F});
   ImGui::SetNextWindowSize({std::min(scaled(560), screen.x - scaled(20)), 0});

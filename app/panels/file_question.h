@@ -20,6 +20,7 @@ class FileQuestion {
   void close_with(Workbench& bench, bool accepted);
 
   bool opening_ = false;
+  int frames_to_settle_ = 0;
   std::string title_, hint_, action_, path_;
   std::function<void(const std::string&)> answer_;
 };

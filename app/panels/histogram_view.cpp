@@ -113,9 +113,12 @@ void HistogramView::draw(Workbench& bench, BufferName buffer) {
   const auto x_of = [&](float value) {
     return low.x + (value - axis_.low) / (axis_.high - axis_.low) * (high.x - low.x);
   };
-  bench.ui_map.mark("histogram", {low.x, low.y, high.x, high.y});
-  bench.ui_map.mark("mark:black", {x_of(range.black) - 2, low.y, x_of(range.black) + 2, high.y});
-  bench.ui_map.mark("mark:white", {x_of(range.white) - 2, low.y, x_of(range.white) + 2, high.y});
+  const auto mark = [&](const char* name, float from, float to) {
+    if (ImGui::IsItemVisible()) bench.ui_map.mark(name, {from, low.y, to, high.y});
+  };
+  mark("histogram", low.x, high.x);
+  mark("mark:black", x_of(range.black) - 2, x_of(range.black) + 2);
+  mark("mark:white", x_of(range.white) - 2, x_of(range.white) + 2);
   drag_marks(bench, buffer, range, low, high);
   const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -41,6 +41,46 @@ TEST(Picture, is_the_raw_buffer_times_its_gain) {
   }
 }
 
+TEST(Picture, gain_range_shows_the_picture_of_the_gains) {
+  Settings settings = analytic_scene();
+  settings.display = {1.7F, 20.0F, 3.0F};
+  Pipeline pipeline;
+  for (const BufferName buffer : {BufferName::depth, BufferName::depth_edges, BufferName::normal_edges,
+                                  BufferName::combined_edges, BufferName::shaded}) {
+    const Picture with_gains = pipeline.picture(settings, buffer);
+    const Picture with_range =
+        pipeline.picture_texture(settings, buffer, Pipeline::gain_range(settings, buffer))
+            .texture->read_picture();
+    int largest = 0;
+    for (size_t i = 0; i < with_gains.samples.size(); ++i)
+      largest = std::max(largest, std::abs(with_gains.samples[i] - with_range.samples[i]));
+    EXPECT_LE(largest, 1) << name_of(buffer) << ": a gain and its reciprocal round differently";
+  }
+}
+
+TEST(Picture, part_of_a_raw_buffer_is_that_part) {
+  const Settings settings = analytic_scene();
+  Pipeline pipeline;
+  const int width = settings.image.width;
+  const int height = settings.image.height;
+  for (const BufferName buffer : {BufferName::normal, BufferName::depth_edges, BufferName::object_id}) {
+    const Image raw = pipeline.raw(settings, buffer);
+    for (const auto& [left, top, part_width, part_height] :
+         {std::array{0, 0, 5, 3}, {width - 4, height - 5, 4, 5}, {60, 40, 7, 9}, {0, height - 1, width, 1}}) {
+      const Image part = pipeline.raw_part(settings, buffer, left, top, part_width, part_height);
+      ASSERT_EQ(part.width_px, part_width);
+      ASSERT_EQ(part.height_px, part_height);
+      for (int y = 0; y < part_height; ++y) {
+        for (int x = 0; x < part_width; ++x) {
+          for (int c = 0; c < raw.channels; ++c)
+            ASSERT_EQ(part.at(x, y, c), raw.at(left + x, top + y, c))
+                << name_of(buffer) << " " << x << " " << y;
+        }
+      }
+    }
+  }
+}
+
 TEST(Picture, gives_each_object_a_colour_of_its_own) {
   const Settings settings = analytic_scene();
   Pipeline pipeline;

@@ -1,0 +1,121 @@
+// Judging: live measures against a study's, the pinned state, lines over pictures.
+#include <fstream>
+#include <sstream>
+
+#include "tests/app/app_test.h"
+#include "tests/cli/command.h"
+
+namespace inkbench {
+namespace {
+
+class AppJudge : public AppTest {
+ protected:
+  /// Opens the window at its judge and waits for the first measures.
+  Json open_judge() {
+    open();
+    click("tab:Judge");
+    return measured();
+  }
+
+  Json measured() {
+    return wait_for("measures", [](const Json& now) {
+      return !now["judge"]["now"].is_null() && now["judge"]["behind"] == false;
+    });
+  }
+
+  void set_number(const std::string& key, const std::string& text) {
+    type_over("bar:" + key, text);
+    wait_for(key, [&](const Json& now) { return parameter(now, key) == text; });
+    settled();
+  }
+
+  /// data.csv of a study of the same scene: a row's values by column.
+  std::vector<std::map<std::string, std::string>> study_rows(const std::string& values) {
+    write("study.toml",
+          "title = \"Same\"\npurpose = \"The same numbers\"\nscene = \"scene.toml\"\nsize = [96, 96]\n"
+          "show = [\"final\"]\nmeasure = true\n[[axis]]\nkey = \"combine.k_normal\"\nvalues = " +
+              values + "\n");
+    CommandOptions options;
+    options.environment = environment_;
+    const CommandResult result = run_command(
+        {INKBENCH_EXECUTABLE, "study", file("study.toml").string(), "--out", file("out").string()}, options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    std::ifstream stream(file("out") / "data.csv");
+    std::string line;
+    std::getline(stream, line);
+    const std::vector<std::string> columns = fields(line);
+    std::vector<std::map<std::string, std::string>> rows;
+    while (std::getline(stream, line)) {
+      const std::vector<std::string> cells = fields(line);
+      std::map<std::string, std::string>& row = rows.emplace_back();
+      for (size_t i = 0; i < columns.size() && i < cells.size(); ++i) row[columns[i]] = cells[i];
+    }
+    return rows;
+  }
+
+  static std::vector<std::string> fields(const std::string& line) {
+    std::vector<std::string> result;
+    std::istringstream stream(line);
+    for (std::string field; std::getline(stream, field, ',');) result.push_back(field);
+    return result;
+  }
+
+  static void expect_same(const Json& measures, const std::map<std::string, std::string>& row) {
+    int compared = 0;
+    for (const auto& [name, value] : measures.items()) {
+      ASSERT_TRUE(row.contains(name)) << name;
+      const std::string& text = row.at(name);
+      if (value.is_null()) {
+        EXPECT_EQ(text, "") << name;
+      } else if (value.is_boolean()) {
+        EXPECT_EQ(text, value.get<bool>() ? "true" : "false") << name;
+      } else {
+        EXPECT_EQ(std::stod(text), value.get<double>()) << name;
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 20);
+  }
+};
+
+TEST_F(AppJudge, measures_equal_those_of_a_study_to_the_last_digit) {
+  const Json first = open_judge();
+  set_number("combine.k_normal", "0.4");
+  const Json second = measured();
+  const auto rows = study_rows("[0.0125, 0.4]");
+  ASSERT_EQ(rows.size(), 2U);
+  expect_same(first["judge"]["now"], rows[0]);
+  expect_same(second["judge"]["now"], rows[1]);
+  EXPECT_NE(first["judge"]["now"]["ink"], second["judge"]["now"]["ink"]);
+}
+
+TEST_F(AppJudge, pinned_state_keeps_its_measures) {
+  const Json first = open_judge();
+  EXPECT_TRUE(first["judge"]["pinned"].is_null());
+  click("pin");
+  wait_for("the pinned measures", [](const Json& now) { return !now["judge"]["pinned"].is_null(); });
+  set_number("combine.k_normal", "0.4");
+  const Json now = measured();
+  EXPECT_EQ(now["judge"]["pinned"], first["judge"]["now"]);
+  EXPECT_NE(now["judge"]["now"], first["judge"]["now"]);
+}
+
+TEST_F(AppJudge, nothing_is_measured_that_nobody_sees) {
+  open();
+  EXPECT_TRUE(settled()["judge"]["now"].is_null());
+}
+
+TEST_F(AppJudge, lines_over_the_pictures_by_key_change_no_picture) {
+  open();
+  const Json before = settled();
+  EXPECT_EQ(before["view"]["overlay"], 0);
+  for (int overlay = 1; overlay <= 3; ++overlay) {
+    keys("l");
+    wait_for("the overlay", [&](const Json& now) { return now["view"]["overlay"] == overlay % 3; });
+    EXPECT_EQ(settled()["pictures"], before["pictures"]);
+  }
+  EXPECT_TRUE(state()["problems"].empty());
+}
+
+}  // namespace
+}  // namespace inkbench
