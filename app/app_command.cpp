@@ -24,19 +24,25 @@ std::optional<WindowSize> window_size(const std::string& text) {
   return WindowSize{settings.image.width, settings.image.height};
 }
 
+/// A scene and changes of it in place of the last session's.
+void take_settings(const AppOptions& options, WindowOptions& window) {
+  window.scene =
+      fs::absolute(options.scene.empty() ? project_file("data/scenes/paper.toml") : fs::path(options.scene));
+  Settings settings = load_settings(window.scene);
+  for (const std::string& assignment : options.assignments) apply_assignment(settings, assignment);
+  if (!options.drag.empty()) find_param(settings, options.drag, "--drag");
+  check_settings(settings);
+  window.settings = std::move(settings);
+}
+
 void open_window(const AppOptions& options) {
-  const fs::path scene =
-      options.scene.empty() ? project_file("data/scenes/paper.toml") : fs::path(options.scene);
-  WindowOptions window{.settings = load_settings(scene),
-                       .scene_name = scene.filename().string(),
-                       .file = options.file,
+  WindowOptions window{.file = options.file,
                        .size = window_size(options.size),
                        .state_file = options.state_file,
                        .drag_key = options.drag,
                        .drag_frames = options.drag.empty() ? 0 : options.frames};
-  for (const std::string& assignment : options.assignments) apply_assignment(window.settings, assignment);
-  if (!options.drag.empty()) find_param(window.settings, options.drag, "--drag");
-  check_settings(window.settings);
+  const bool session = options.scene.empty() && options.assignments.empty() && options.drag.empty();
+  if (!session) take_settings(options, window);
   run_window(window);
 }
 
@@ -45,7 +51,9 @@ void open_window(const AppOptions& options) {
 void add_app_command(CLI::App& app) {
   auto options = std::make_shared<AppOptions>();
   CLI::App* command = app.add_subcommand("app", "Open the window: every buffer side by side, tuned live");
-  command->add_option("--scene", options->scene, "Scene file (TOML); the paper's scene without it");
+  command->add_option(
+      "--scene", options->scene,
+      "Scene file (TOML); without it, --set changes the paper's scene, and else the last session comes back");
   command
       ->add_option("--set", options->assignments,
                    "KEY=VALUE: set a parameter (`inkbench params` lists them); repeatable")
@@ -53,7 +61,7 @@ void add_app_command(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--size", options->size,
                       "Size of the window in px, as WIDTHxHEIGHT; else as it was last");
-  command->add_option("FILE", options->file, "A scene, an exported image or a mesh to open");
+  command->add_option("FILE", options->file, "To open: a scene, preset, exported image, mesh, ramp or study");
   // For tests and measurements: what the window does, and a slider dragged by itself.
   command->add_option("--state-file", options->state_file)->group("");
   command->add_option("--drag", options->drag)->group("");

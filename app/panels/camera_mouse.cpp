@@ -2,16 +2,12 @@
 
 #include <imgui.h>
 
-#include <cmath>
-
-#include "app/window/camera_moves.h"
+#include "app/workbench/camera_control.h"
 
 namespace inkbench {
 namespace {
 
-constexpr double kDegreesPerPixel = 0.4;
-constexpr double kWheelFactor = 0.88;
-constexpr double kDragFactor = 0.994;  // a pixel
+constexpr float kStepPixels = 20.0F;  // of a drag that moves nearer or farther by one step of the wheel
 
 void set_camera(Workbench& bench, const CameraParams& camera) {
   Settings next = bench.settings();
@@ -19,19 +15,36 @@ void set_camera(Workbench& bench, const CameraParams& camera) {
   bench.replace(next);
 }
 
+/// Where the mouse is in the shown picture, and how large the picture stands in the window.
+struct PictureMouse {
+  glm::vec2 now{0}, before{0};
+  ViewSize size;
+};
+
+PictureMouse mouse_in(const Workbench& bench, const TileFrame& frame) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto scale = static_cast<float>(magnification(bench.view, frame));
+  const PicturePoint point = point_under(bench.view, frame, io.MousePos.x, io.MousePos.y);
+  PictureMouse mouse;
+  mouse.now = glm::vec2(point.x, point.y) * scale;
+  mouse.before = mouse.now - glm::vec2(io.MouseDelta.x, io.MouseDelta.y);
+  mouse.size = {static_cast<float>(frame.picture_width) * scale,
+                static_cast<float>(frame.picture_height) * scale};
+  return mouse;
+}
+
 void move_camera(Workbench& bench, const TileFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 delta = io.MouseDelta;
   if (delta.x == 0.0F && delta.y == 0.0F) return;
   const CameraParams& camera = bench.settings().camera;
-  const bool pans = ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift;
+  const PictureMouse mouse = mouse_in(bench, frame);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-    set_camera(bench, dollied(camera, std::pow(kDragFactor, static_cast<double>(delta.x - delta.y))));
-  } else if (pans) {
-    const double height_px = frame.picture_height * magnification(bench.view, frame);
-    set_camera(bench, panned(camera, delta.x / height_px, delta.y / height_px));
+    set_camera(bench, dolly(camera, (delta.x - delta.y) / kStepPixels));
+  } else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift) {
+    set_camera(bench, pan(camera, mouse.before, mouse.now, mouse.size));
   } else {
-    set_camera(bench, orbited(camera, -delta.x * kDegreesPerPixel, delta.y * kDegreesPerPixel));
+    set_camera(bench, orbit_drag(camera, mouse.before, mouse.now, mouse.size));
   }
 }
 
@@ -51,8 +64,10 @@ bool camera_mouse(Workbench& bench, const TileFrame& frame) {
     bench.begin_edit();
   }
   if (ImGui::IsItemActive() && bench.view.camera_moving) move_camera(bench, frame);
-  if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F)
-    set_camera(bench, dollied(bench.settings().camera, std::pow(kWheelFactor, io.MouseWheel)));
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) {
+    const PictureMouse mouse = mouse_in(bench, frame);
+    set_camera(bench, dolly_at(bench.settings().camera, io.MouseWheel, mouse.now, mouse.size));
+  }
   return true;
 }
 

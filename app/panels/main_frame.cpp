@@ -9,6 +9,7 @@
 #include "app/panels/contact_sheet.h"
 #include "app/panels/hover.h"
 #include "app/panels/keys_page.h"
+#include "app/panels/restore_bar.h"
 #include "app/panels/shortcuts.h"
 #include "app/panels/status_bar.h"
 #include "app/panels/timings.h"
@@ -128,21 +129,15 @@ void MainFrame::draw_bottom(Workbench& bench, const Places& places) {
 
 void MainFrame::draw(Workbench& bench) {
   const ShortcutRequests keys = handle_shortcuts(bench);
-  if (keys.search) {
-    bench.window.show_left = true;
-    parameters_.focus_search();
-  }
-  if (keys.open) menu_bar_.ask_for_file();
+  if (keys.search) left_.focus_search(bench);
   menu_bar_.draw(bench);
   const Places places = arrange(bench);
-  panel("parameters", places.left, theme().panel, [&] {
-    panel_heading("Parameters");
-    parameters_.draw(bench);
-  });
+  panel("left", places.left, theme().panel, [&] { left_.draw(bench); });
   panel(
       "pictures", places.middle, theme().canvas,
       [&] {
         draw_toolbar(bench);
+        draw_restore_bar(bench);
         draw_banner(bench);
         draw_contact_sheet(bench);
       },
@@ -154,6 +149,7 @@ void MainFrame::draw(Workbench& bench) {
   ImGui::PopStyleVar();
   draw_dividers(bench, places);
   draw_keys_page(bench);
+  dialogs_.draw(bench);
   if (is_hover_pending()) bench.wake_in(kHelpDelay / 2);
 }
 

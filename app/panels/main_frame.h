@@ -1,10 +1,11 @@
 // The whole window: where the panels are, the dividers between them, and each panel's turn.
 #pragma once
 
+#include "app/panels/file_dialogs.h"
 #include "app/panels/inspector.h"
+#include "app/panels/left_panel.h"
 #include "app/panels/log.h"
 #include "app/panels/menu_bar.h"
-#include "app/panels/parameters.h"
 #include "app/window/workbench.h"
 
 namespace inkbench {
@@ -21,7 +22,8 @@ class MainFrame {
   void draw_bottom(Workbench& bench, const Places& places);
 
   MenuBar menu_bar_;
-  ParametersPanel parameters_;
+  LeftPanel left_;
+  FileDialogs dialogs_;
   InspectorPanel inspector_;
   LogPanel log_;
 };

@@ -1,13 +1,11 @@
 #include "app/panels/menu_bar.h"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "app/panels/widgets.h"
-#include "app/window/gui.h"
+#include "app/panels/edit_menu.h"
 #include "app/window/theme.h"
 #include "pipeline/base/files.h"
 
@@ -37,7 +35,7 @@ void MenuBar::file_menu(Workbench& bench) {
   const bool open = ImGui::BeginMenu("File");
   bench.ui_map.mark_item("menu:File");
   if (!open) return;
-  if (item(bench, "Open...", "Ctrl+O")) ask_for_file();
+  draw_file_items(bench);
   const bool scenes = ImGui::BeginMenu("Scenes");
   bench.ui_map.mark_item("menu:Scenes");
   if (scenes) {
@@ -46,8 +44,6 @@ void MenuBar::file_menu(Workbench& bench) {
     }
     ImGui::EndMenu();
   }
-  ImGui::Separator();
-  if (item(bench, "Reset all to the scene")) bench.replace(bench.baseline());
   ImGui::Separator();
   if (item(bench, "Quit", "Ctrl+Q")) bench.requests.close = true;
   ImGui::EndMenu();
@@ -58,7 +54,7 @@ void MenuBar::view_menu(Workbench& bench) {
   const bool open = ImGui::BeginMenu("View");
   bench.ui_map.mark_item("menu:View");
   if (!open) return;
-  if (item(bench, "Parameters", nullptr, window.show_left)) window.show_left = !window.show_left;
+  if (item(bench, "Left panel", nullptr, window.show_left)) window.show_left = !window.show_left;
   if (item(bench, "Inspector", nullptr, window.show_right)) window.show_right = !window.show_right;
   if (item(bench, "Timings and log", nullptr, window.show_bottom)) window.show_bottom = !window.show_bottom;
   ImGui::Separator();
@@ -73,35 +69,11 @@ void MenuBar::view_menu(Workbench& bench) {
   ImGui::EndMenu();
 }
 
-void MenuBar::draw_file_question(Workbench& bench) {
-  if (asking_) ImGui::OpenPopup("Open a file");
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 3}, ImGuiCond_Appearing, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize({std::min(scaled(560), screen.x - scaled(20)), 0});
-  if (!ImGui::BeginPopupModal("Open a file", nullptr,
-                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings))
-    return;
-  ImGui::PushFont(fonts().bold);
-  ImGui::TextUnformatted("Open a file");
-  ImGui::PopFont();
-  faint_text("A scene (.toml), an exported image (.png, .exr) or a mesh (.obj, .ply, .off, .stl).");
-  if (asking_) ImGui::SetKeyboardFocusHere();
-  asking_ = false;
-  ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputText("##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
-  bench.ui_map.mark_item("path");
-  const bool opens = ImGui::Button("Open") || entered;
-  ImGui::SameLine();
-  const bool cancels = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-  if (opens && !path_.empty()) bench.open(path_);
-  if (opens || cancels) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
-}
-
 void MenuBar::draw(Workbench& bench) {
   if (ImGui::BeginMainMenuBar()) {
     height_ = ImGui::GetWindowHeight();
     file_menu(bench);
+    draw_edit_menu(bench);
     view_menu(bench);
     const bool help = ImGui::BeginMenu("Help");
     bench.ui_map.mark_item("menu:Help");
@@ -111,7 +83,6 @@ void MenuBar::draw(Workbench& bench) {
     }
     ImGui::EndMainMenuBar();
   }
-  draw_file_question(bench);
 }
 
 }  // namespace inkbench

@@ -6,25 +6,13 @@
 #include <algorithm>
 
 #include "app/panels/comparison.h"
+#include "app/panels/keep_shortcuts.h"
 
 namespace inkbench {
 namespace {
 
 bool pressed(int key) {
   return ImGui::IsKeyPressed(key, false);
-}
-
-/// The key by the letter on it, whatever the keyboard's layout.
-bool letter_pressed(char letter) {
-  for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {
-    if (!pressed(key)) continue;
-    const char* name = glfwGetKeyName(key, 0);
-    const char shown = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0'
-                           ? name[0]
-                           : static_cast<char>('a' + key - GLFW_KEY_A);
-    if (shown == letter) return true;
-  }
-  return false;
 }
 
 void set_zoom(Workbench& bench, float change) {
@@ -34,7 +22,6 @@ void set_zoom(Workbench& bench, float change) {
 ShortcutRequests with_control(Workbench& bench) {
   ShortcutRequests requests;
   requests.search = letter_pressed('f');
-  requests.open = letter_pressed('o');
   if (letter_pressed('q')) bench.requests.close = true;
   if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) set_zoom(bench, 0.1F);
   if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) set_zoom(bench, -0.1F);
@@ -80,8 +67,21 @@ void plain_letters(Workbench& bench) {
 
 }  // namespace
 
+bool letter_pressed(char letter) {
+  for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {
+    if (!pressed(key)) continue;
+    const char* name = glfwGetKeyName(key, 0);
+    const char shown = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0'
+                           ? name[0]
+                           : static_cast<char>('a' + key - GLFW_KEY_A);
+    if (shown == letter) return true;
+  }
+  return false;
+}
+
 ShortcutRequests handle_shortcuts(Workbench& bench) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (handle_keep_shortcuts(bench)) return {};
   if (pressed(GLFW_KEY_F1)) bench.window.keys_page = !bench.window.keys_page;
   if (pressed(GLFW_KEY_F11)) bench.requests.toggle_full_screen = true;
   if (pressed(GLFW_KEY_F12)) bench.requests.screenshot = true;

@@ -7,8 +7,11 @@ namespace inkbench {
 
 /// What a key asks of panels.
 struct ShortcutRequests {
-  bool search = false, open = false;
+  bool search = false;
 };
+
+/// Whether the key went down in this frame, by the letter on it, whatever the keyboard's layout.
+bool letter_pressed(char letter);
 
 /// Once a frame; keys that a text field wants are its own.
 ShortcutRequests handle_shortcuts(Workbench& bench);

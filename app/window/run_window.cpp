@@ -26,13 +26,6 @@ constexpr double kPollSeconds = 0.5;
 constexpr int kSettleFrames = 3;
 constexpr double kNewestShare = 0.1;
 
-std::filesystem::path window_params_path() {
-  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && config[0] == '/')
-    return std::filesystem::path(config) / "inkbench/window.toml";
-  const char* home = std::getenv("HOME");
-  return std::filesystem::path(home == nullptr ? "." : home) / ".config/inkbench/window.toml";
-}
-
 /// What the window looks like, row 0 on top.
 Picture read_window(WindowSize size) {
   Picture picture(size.width_px, size.height_px, 3);
@@ -56,14 +49,12 @@ std::string screenshot_name() {
   return text.data();
 }
 
-class Session {
+class WindowLoop {
  public:
-  explicit Session(const WindowOptions& options);
+  explicit WindowLoop(const WindowOptions& options);
   void run();
 
  private:
-  void load_window_state();
-  void save_window_state();
   void wait();
   void draw_frame();
   void build_frame();
@@ -74,7 +65,8 @@ class Session {
   bool is_dragging_itself() const { return drag_frame_ < options_.drag_frames; }
 
   const WindowOptions& options_;
-  WindowParams start_params_;
+  Keeping keeping_;
+  Session start_;
   Window window_;
   InputQueue input_;
   Gui gui_;
@@ -87,50 +79,35 @@ class Session {
   bool failed_frame_ = false;
 };
 
-/// What was remembered; where that cannot be read, why is told in the window's log.
-WindowParams remembered_params(std::string& problem) {
-  try {
-    return load_window_params(window_params_path());
-  } catch (const Error& error) {
-    problem = error.what();
-    return {};
-  }
+/// The last session, with what the command line says in place of its settings.
+Session start_session(Keeping& keeping, const WindowOptions& options) {
+  Session session = keeping.start();
+  if (!options.settings) return session;
+  session.settings = *options.settings;
+  session.scene = options.scene;
+  return session;
 }
 
 WindowSize start_size(const WindowOptions& options, const WindowParams& params) {
   return options.size.value_or(WindowSize{params.width, params.height});
 }
 
-std::string& params_problem() {
-  static std::string text;
-  return text;
-}
-
-Session::Session(const WindowOptions& options)
+WindowLoop::WindowLoop(const WindowOptions& options)
     : options_(options),
-      start_params_(remembered_params(params_problem())),
-      window_("inkbench", start_size(options, start_params_)),
+      start_(start_session(keeping_, options)),
+      window_("inkbench", start_size(options, start_.window)),
       input_(window_.handle()),
       gui_(window_, input_),
-      bench_(options.settings, options.scene_name) {
-  bench_.window = start_params_;
-  if (!params_problem().empty()) bench_.tell(Severity::warning, params_problem());
+      bench_(start_, keeping_) {
+  for (const std::string& note : keeping_.take_notes()) bench_.tell(Severity::warning, note);
+  if (!options.size && start_.window.maximised) window_.maximise();
   if (!options.state_file.empty()) bench_.ui_map.enable();
   if (!options.file.empty()) bench_.open(options.file);
   if (is_dragging_itself()) bench_.window.keys_page = false;
 }
 
-void Session::save_window_state() {
-  if (is_dragging_itself() || options_.drag_frames > 0) return;
-  try {
-    save_window_params(window_params_path(), bench_.window);
-  } catch (const Error& error) {
-    bench_.tell(Severity::warning, error.what());
-  }
-}
-
 /// Sleeps until there is something to do; sets how many frames that takes.
-void Session::wait() {
+void WindowLoop::wait() {
   const double now = seconds_now();
   const double wake = bench_.take_wake_seconds();
   const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
@@ -144,17 +121,18 @@ void Session::wait() {
   if (seconds_now() >= next_poll_) {
     if (bench_.poll_files()) frames_wanted_ = std::max(frames_wanted_, 2);
     next_poll_ = seconds_now() + kPollSeconds;
+    if (options_.drag_frames == 0) keeping_.autosave(bench_, seconds_now());
   }
 }
 
-void Session::build_frame() {
+void WindowLoop::build_frame() {
   for (const std::string& path : input_.take_dropped()) bench_.open(path);
   bench_.ui_map.begin_frame();
   bench_.refresh();
   frame_.draw(bench_);
 }
 
-void Session::draw_frame() {
+void WindowLoop::draw_frame() {
   const auto start = std::chrono::steady_clock::now();
   gui_.set_look(bench_.window.theme, bench_.window.zoom);
   gui_.begin_frame();
@@ -183,18 +161,19 @@ void Session::draw_frame() {
   ++times.frames;
 }
 
-void Session::take_requests() {
+void WindowLoop::take_requests() {
   const WindowRequests requests = std::exchange(bench_.requests, {});
   if (requests.screenshot) take_screenshot();
   if (requests.toggle_full_screen) window_.toggle_full_screen();
   if (requests.close) window_.close();
   const WindowSize size = window_.size();
-  if (window_.is_full_screen() || size.width_px < 1) return;
+  bench_.window.maximised = window_.is_maximised();
+  if (window_.is_full_screen() || bench_.window.maximised || size.width_px < 1) return;
   bench_.window.width = std::max(size.width_px, 480);
   bench_.window.height = std::max(size.height_px, 320);
 }
 
-void Session::take_screenshot() {
+void WindowLoop::take_screenshot() {
   const std::string name = screenshot_name();
   try {
     write_png(name, read_window(window_.size()), {});
@@ -204,7 +183,7 @@ void Session::take_screenshot() {
   }
 }
 
-void Session::write_state() {
+void WindowLoop::write_state() {
   if (options_.state_file.empty()) return;
   const std::string text = state_text(bench_);
   if (text == written_state_) return;
@@ -213,21 +192,22 @@ void Session::write_state() {
 }
 
 /// A slider pulled to and fro over its whole range, as with the mouse: what a frame of it costs.
-void Session::drag_by_itself() {
+void WindowLoop::drag_by_itself() {
   if (!is_dragging_itself()) return;
   bench_.begin_edit();
   Settings settings = bench_.settings();
   const Field& field = *find_param(settings, options_.drag_key, "--drag").field;
   const double share = 0.5 + 0.45 * std::sin(0.1 * drag_frame_);
   const double value = field.slider.low * std::pow(field.slider.high / field.slider.low, share);
-  bench_.change(options_.drag_key, static_cast<float>(value));
+  const bool whole = field.type == FieldType::integer;
+  bench_.change(options_.drag_key, whole ? Value(static_cast<int>(value)) : Value(static_cast<float>(value)));
   ++drag_frame_;
   if (is_dragging_itself()) return;
   bench_.end_edit();
   bench_.requests.close = true;
 }
 
-void Session::run() {
+void WindowLoop::run() {
   window_.show();
   const auto start = std::chrono::steady_clock::now();
   int frames = 0;
@@ -251,14 +231,14 @@ void Session::run() {
                frames / seconds);
   }
   write_state();
-  save_window_state();
+  if (options_.drag_frames == 0) keeping_.close(bench_);
 }
 
 }  // namespace
 
 void run_window(const WindowOptions& options) {
-  Session session(options);
-  session.run();
+  WindowLoop loop(options);
+  loop.run();
 }
 
 }  // namespace inkbench

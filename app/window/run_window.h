@@ -1,6 +1,7 @@
 // The window from opening to closing: draws a frame when something happened, and sleeps otherwise.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,12 +12,12 @@
 namespace inkbench {
 
 struct WindowOptions {
-  Settings settings;
-  std::string scene_name;
-  std::string file;                ///< To open at the start; may be empty.
-  std::optional<WindowSize> size;  ///< Else as it was last.
-  std::string state_file;          ///< Where to write what tests read; may be empty.
-  std::string drag_key;            ///< A parameter to drag by itself, to measure frames; may be empty.
+  std::optional<Settings> settings;  ///< Else those of the last session.
+  std::filesystem::path scene;       ///< What `settings` were loaded from.
+  std::string file;                  ///< To open at the start; may be empty.
+  std::optional<WindowSize> size;    ///< Else as it was last.
+  std::string state_file;            ///< Where to write what tests read; may be empty.
+  std::string drag_key;              ///< A parameter to drag by itself, to measure frames; may be empty.
   int drag_frames = 0;
 };
 

@@ -4,18 +4,9 @@
 
 #include <imgui.h>
 
-#include <array>
-#include <string_view>
-
-#include "pipeline/params/description.h"
+#include "app/workbench/theme_name.h"
 
 namespace inkbench {
-
-enum class ThemeName { dark, light };
-template <>
-struct ChoiceNames<ThemeName> {
-  static constexpr std::array<std::string_view, 2> names{"dark", "light"};
-};
 
 struct Palette {
   ImU32 canvas;     ///< Behind pictures.

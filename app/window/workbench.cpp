@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "app/window/open_file.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/log.h"
 #include "pipeline/scene/settings_file.h"
@@ -14,10 +13,20 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
+/// Every parameter is asked whether it accepts its value. Errors (input): one does not.
+Settings checked(Settings settings) {
+  for (const Param& param : list_params(settings)) param.set(param.value(), "");
+  return settings;
+}
+
 }  // namespace
 
-Workbench::Workbench(const Settings& settings, const std::string& scene_name)
-    : settings_(settings), baseline_(settings), scene_name_(scene_name), wake_seconds_(kNever) {
+Workbench::Workbench(const Session& session, Keeping& kept)
+    : keeping(kept),
+      window(session.window),
+      history_(session.settings),
+      origins_{origin_in(session.scene, session.settings)},
+      wake_seconds_(kNever) {
   set_log_sink([this](const std::string& text) { log.add(Severity::note, text); });
   pictures.pipeline().observe(&timer);
   tiles.observe(&window_timer);
@@ -28,17 +37,18 @@ Workbench::~Workbench() {
 }
 
 template <class Change>
-void Workbench::apply(const Change& change) {
-  Settings next = settings_;
+bool Workbench::apply(const Change& change, const std::string& step) {
+  Settings next = settings();
   try {
     change(next);
   } catch (const Error& error) {
     set_problem(ProblemKind::input, error.what());
-    return;
+    return false;
   }
   dismiss(ProblemKind::input);
-  const Settings before = std::exchange(settings_, std::move(next));
-  if (!is_editing() && on_step) on_step(before, settings_);
+  history_.record(std::move(next), step);
+  ++revision_;
+  return true;
 }
 
 void Workbench::change(const std::string& key, const Value& value) {
@@ -50,41 +60,40 @@ void Workbench::change_text(const std::string& key, const std::string& text) {
 }
 
 void Workbench::reset(const std::string& key) {
-  Settings from = baseline_;
+  Settings from = baseline();
   if (has_param(from, key)) change(key, find_param(from, key, "").value());
 }
 
-void Workbench::replace(const Settings& settings) {
-  apply([&](Settings& next) {
-    next = settings;
-    for (const Param& param : list_params(next)) param.set(param.value(), "");  // checks it
-  });
+void Workbench::replace(const Settings& settings, const std::string& step) {
+  apply([&](Settings& next) { next = checked(settings); }, step);
 }
 
 void Workbench::begin_edit() {
-  if (!is_editing()) edit_start_ = settings_;
+  if (!is_editing()) history_.begin_edit();
 }
 
 void Workbench::end_edit() {
-  if (!is_editing()) return;
-  const Settings before = *std::exchange(edit_start_, std::nullopt);
-  if (on_step && settings_text(before) != settings_text(settings_)) on_step(before, settings_);
+  history_.end_edit();
+  ++revision_;
 }
 
-void Workbench::open(const std::string& path) {
-  apply([&](Settings& next) {
-    const OpenedFile file = open_file(next, path);
-    next = file.settings;
-    if (file.is_whole) {
-      baseline_ = file.settings;
-      scene_name_ = file.name;
-    }
-    tell(Severity::note, "opened " + path);
-  });
+void Workbench::undo() {
+  if (history_.can_undo()) go_to_step(history_.position() - 1);
+}
+
+void Workbench::redo() {
+  if (history_.can_redo()) go_to_step(history_.position() + 1);
+}
+
+void Workbench::go_to_step(size_t position) {
+  if (is_editing()) return;  // what is held by the mouse goes on
+  history_.go_to(position);
+  dismiss(ProblemKind::input);
+  ++revision_;
 }
 
 Key Workbench::drawn_state() const {
-  return KeyBuilder().add(settings_text(settings_)).add(std::to_string(files_revision_)).key();
+  return KeyBuilder().add(settings_text(settings())).add(std::to_string(files_revision_)).key();
 }
 
 void Workbench::refresh() {
@@ -93,8 +102,8 @@ void Workbench::refresh() {
   const Key state = drawn_state();
   if (failed_ == state) return;
   try {
-    pictures.refresh(settings_, wanted_buffers(), is_editing());
-    last_good_ = settings_;
+    pictures.refresh(settings(), wanted_buffers(), is_editing());
+    last_good_ = settings();
     failed_.reset();
     dismiss(ProblemKind::drawing);
   } catch (const std::bad_alloc&) {
@@ -109,7 +118,7 @@ void Workbench::refresh() {
 /// What the files that the settings name hold, or why they cannot be read.
 std::string Workbench::files_state() {
   try {
-    const PassKeys keys = pictures.pipeline().keys(settings_);
+    const PassKeys keys = pictures.pipeline().keys(settings());
     return keys.meshes.text() + keys.ink.text();
   } catch (const Error& error) {
     return error.what();
@@ -161,7 +170,7 @@ std::array<bool, kBufferCount> Workbench::wanted_buffers() const {
 
 void Workbench::pin() {
   try {
-    pictures.pin(settings_);
+    pictures.pin(settings());
     tell(Severity::note, "pinned this state");
   } catch (const Error& error) {
     set_problem(ProblemKind::drawing, error.what());
@@ -179,7 +188,7 @@ void Workbench::set_problem(ProblemKind kind, const std::string& text) {
 }
 
 void Workbench::go_back() {
-  if (last_good_) replace(*last_good_);
+  if (last_good_) replace(*last_good_, "back to what could be drawn");
 }
 
 void Workbench::wake_in(double seconds) {

@@ -9,19 +9,19 @@
 #include <optional>
 #include <string>
 
+#include "app/window/keeping.h"
 #include "app/window/message_log.h"
 #include "app/window/pass_timer.h"
 #include "app/window/pictures.h"
 #include "app/window/tile.h"
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
-#include "app/window/window_params.h"
+#include "app/workbench/history.h"
+#include "app/workbench/opened_file.h"
+#include "app/workbench/window_params.h"
 #include "pipeline/scene/settings.h"
 
 namespace inkbench {
-
-/// One change, however many movements of the mouse it took.
-using StepListener = std::function<void(const Settings& before, const Settings& after)>;
 
 /// What stands in the way, by where it comes from: each is shown until it is mended or dismissed.
 enum class ProblemKind { drawing, shader, input };
@@ -30,6 +30,9 @@ enum class ProblemKind { drawing, shader, input };
 struct WindowRequests {
   bool close = false, toggle_full_screen = false, screenshot = false;
 };
+
+/// What asks for a file's path.
+enum class FileDialog { open, save_settings, save_image };
 
 /// How long frames take: for the status bar and reports.
 struct FrameTimes {
@@ -40,17 +43,20 @@ struct FrameTimes {
 class Workbench {
  public:
   /// Needs a current OpenGL 4.5 context for its whole life. Errors (input): a shader does not compile.
-  Workbench(const Settings& settings, const std::string& scene_name);
+  /// Starts with the session's settings; `keeping` must outlive this.
+  Workbench(const Session& session, Keeping& keeping);
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
   ~Workbench();
 
   // --- settings: every change goes through these ---
 
-  const Settings& settings() const { return settings_; }
+  const Settings& settings() const { return history_.current(); }
   /// What the opened file says: parameters that differ from it are marked as changed and can be reset to it.
-  const Settings& baseline() const { return baseline_; }
-  const std::string& scene_name() const { return scene_name_; }
+  const Settings& baseline() const { return origin().baseline; }
+  const std::string& scene_name() const { return origin().name; }
+  /// The file that the settings came from; empty where no file holds them as a scene.
+  const std::filesystem::path& scene() const { return origin().scene; }
 
   /// Sets one parameter; a value that it does not accept is told as a problem and changes nothing.
   void change(const std::string& key, const Value& value);
@@ -58,18 +64,30 @@ class Workbench {
   void change_text(const std::string& key, const std::string& text);
   /// Back to the baseline's value.
   void reset(const std::string& key);
-  /// All at once: undo, a preset, an image's parameters.
-  void replace(const Settings& settings);
+  /// All at once; `step` names it in the history, else what changed does.
+  void replace(const Settings& settings, const std::string& step = "");
+  /// The same with the file that they come from, whose own settings are the new baseline. Returns whether
+  /// they were accepted.
+  bool take_over(const Settings& settings, const std::filesystem::path& scene, const std::string& step);
   /// Changes between these two are one step: a slider that is being dragged, an orbit.
   void begin_edit();
   void end_edit();
-  bool is_editing() const { return edit_start_.has_value(); }
-  /// Told of every step.
-  StepListener on_step;
+  bool is_editing() const { return history_.is_editing(); }
+  const History& history() const { return history_; }
+  void undo();
+  void redo();
+  /// To just after that many steps.
+  void go_to_step(size_t position);
+  /// Rises with every change of the settings or of where they came from.
+  long revision() const { return revision_; }
 
-  /// Opens a scene, an exported image (its parameters) or a mesh (in the main model's place). What cannot be
-  /// opened is told as a problem and changes nothing.
+  /// Opens whatever inkbench knows, by what the file holds: scenes, presets, exported images, meshes, ramps,
+  /// studies. What cannot be opened is told as a problem and changes nothing.
   void open(const std::string& path);
+  /// Takes a study that was opened; without it, its settings are taken over.
+  std::function<void(const OpenedFile&)> on_study;
+  /// The settings are in this file now: it is the scene, and nothing differs from it.
+  void saved_as(const std::filesystem::path& file);
 
   // --- pictures ---
 
@@ -96,11 +114,13 @@ class Workbench {
   void wake_in(double seconds);
   double take_wake_seconds();
 
+  Keeping& keeping;
   WindowParams window;
   ViewState view;
   MessageLog log;
   UiMap ui_map;
   WindowRequests requests;
+  std::optional<FileDialog> wanted_dialog;
   FrameTimes frame_times;
   PassTimer timer;         ///< Of the pipeline's passes.
   PassTimer window_timer;  ///< Of the tiles and the window itself.
@@ -108,14 +128,25 @@ class Workbench {
   TilePainter tiles;
 
  private:
+  /// Where settings came from.
+  struct Origin {
+    std::string name;
+    std::filesystem::path scene;
+    Settings baseline;
+  };
+  static Origin origin_in(const std::filesystem::path& scene, const Settings& settings);
+  const Origin& origin() const { return origins_.at(history_.origin()); }
   template <class Change>
-  void apply(const Change& change);
+  bool apply(const Change& change, const std::string& step = "");
+  void take(const OpenedFile& file);
+  void take_mesh(const OpenedFile& file);
+  void take_from(const Origin& origin, const Settings& settings, const std::string& step);
   Key drawn_state() const;
   std::string files_state();
 
-  Settings settings_, baseline_;
-  std::string scene_name_;
-  std::optional<Settings> edit_start_;
+  History history_;
+  std::vector<Origin> origins_;  ///< By the numbers that the history knows.
+  long revision_ = 0;
   std::optional<Settings> last_good_;
   std::optional<Key> failed_;  ///< What could not be drawn: not tried again until something changes.
   long files_revision_ = 0;

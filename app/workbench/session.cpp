@@ -35,13 +35,13 @@ class SessionReader {
         session.scene = text_of(node, key);
       } else if (key == "recent") {
         for (const TomlNode& item : items_of(node, key)) session.recent.emplace_back(text_of(item, key));
-      } else if (key == "layout") {
-        read_struct(WindowLayout::description(), &session.layout, node, "session.layout");
+      } else if (key == "window") {
+        read_struct(WindowParams::description(), &session.window, node, "session.window");
       } else if (key == "bookmark") {
         for (const TomlNode& item : items_of(node, key)) session.bookmarks.push_back(bookmark(item));
       } else {
         throw input_error(at(node), "unknown entry 'session." + key + "'",
-                          suggest(key, std::vector<std::string>{"scene", "recent", "layout", "bookmark"}));
+                          suggest(key, std::vector<std::string>{"scene", "recent", "window", "bookmark"}));
       }
     }
   }
@@ -85,6 +85,8 @@ class SessionReader {
     for (const auto& [name, node] : entries_of(table, "session.bookmark")) {
       if (name == "name") {
         result.name = text_of(node, name);
+      } else if (name == "key") {
+        set_field(CameraBookmark::description(), &result, name, node, "session.bookmark");
       } else {
         set_field(CameraParams::description(), &result.camera, name, node, "session.bookmark");
       }
@@ -96,6 +98,15 @@ class SessionReader {
 };
 
 }  // namespace
+
+const Description& CameraBookmark::description() {
+  static const Description kDescription{
+      "bookmark",
+      "A bookmark of a camera",
+      {field<&CameraBookmark::key>(
+          {.name = "key", .help = "The digit that recalls it; 0: none.", .limits = {0, 9}})}};
+  return kDescription;
+}
 
 Session first_session() {
   Session session;
@@ -124,10 +135,11 @@ std::string session_text(const Session& session) {
     if (is_utf8(path.string())) recent.push_back(path_text(path));
   }
   std::string text = "# inkbench session\n[session]\nscene = " + path_text(session.scene) + "\nrecent = [" +
-                     join(recent, ", ") + "]\n[session.layout]\n" +
-                     struct_text(WindowLayout::description(), &session.layout);
+                     join(recent, ", ") + "]\n[session.window]\n" +
+                     struct_text(WindowParams::description(), &session.window);
   for (const CameraBookmark& bookmark : session.bookmarks) {
     text += "[[session.bookmark]]\nname = " + to_text(Value(bookmark.name)) + "\n" +
+            struct_text(CameraBookmark::description(), &bookmark) +
             struct_text(CameraParams::description(), &bookmark.camera);
   }
   return text + settings_text(session.settings);

@@ -7,20 +7,23 @@
 #include <string_view>
 #include <vector>
 
-#include "app/workbench/window_layout.h"
+#include "app/workbench/window_params.h"
 #include "pipeline/scene/settings.h"
 
 namespace inkbench {
 
 struct CameraBookmark {
   std::string name;  ///< Any text; names may repeat.
+  int key = 0;       ///< The digit that recalls it; 0: none.
   CameraParams camera;
+
+  static const Description& description();  ///< Of `key`.
 };
 
 struct Session {
   Settings settings;
   std::filesystem::path scene;  ///< The file that the settings started from; empty without one.
-  WindowLayout layout;
+  WindowParams window;
   std::vector<std::filesystem::path> recent;  ///< Newest first, each once, at most `kMaxRecent`.
   std::vector<CameraBookmark> bookmarks;      ///< At most `kMaxBookmarks`.
 };

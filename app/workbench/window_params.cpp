@@ -1,10 +1,6 @@
-#include "app/window/window_params.h"
+#include "app/workbench/window_params.h"
 
-#include "pipeline/base/error.h"
-#include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
-#include "pipeline/params/param.h"
-#include "pipeline/params/toml_value.h"
 
 namespace inkbench {
 
@@ -17,6 +13,7 @@ const Description& WindowParams::description() {
               {.name = "width", .help = "Width of the window.", .unit = "px", .limits = {480, 32768}}),
           field<&WindowParams::height>(
               {.name = "height", .help = "Height of the window.", .unit = "px", .limits = {320, 32768}}),
+          field<&WindowParams::maximised>({.name = "maximised", .help = "The window fills the screen."}),
           field<&WindowParams::left>({.name = "left",
                                       .help = "Width of the parameters, at the usual text size.",
                                       .unit = "px",
@@ -32,6 +29,7 @@ const Description& WindowParams::description() {
           field<&WindowParams::show_left>({.name = "show_left", .help = "Show the parameters."}),
           field<&WindowParams::show_right>({.name = "show_right", .help = "Show the inspector."}),
           field<&WindowParams::show_bottom>({.name = "show_bottom", .help = "Show timings and log."}),
+          field<&WindowParams::left_tab>({.name = "left_tab", .help = "What the panel on the left shows."}),
           field<&WindowParams::theme>({.name = "theme", .help = "Dark or light."}),
           field<&WindowParams::zoom>(
               {.name = "zoom", .help = "Size of text, on top of the desktop's.", .limits = {0.5, 3}}),
@@ -43,31 +41,6 @@ const Description& WindowParams::description() {
               {.name = "hidden_buffers", .help = "Buffers that the contact sheet leaves out."}),
       }};
   return kDescription;
-}
-
-WindowParams load_window_params(const std::filesystem::path& path) {
-  WindowParams params;
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return params;
-  const TomlNode document = parse_toml(read_file(path), path.string());
-  for (const auto& [name, node] : document.entries) {
-    const std::string where = path.string() + ":" + std::to_string(node.line);
-    const Field* known = nullptr;
-    for (const Field& field : WindowParams::description().fields) {
-      if (field.name == name) known = &field;
-    }
-    if (known == nullptr) throw input_error(where, "unknown entry '" + name + "'");
-    const Param param{name, known, &params, -1};
-    param.set(value_from_toml(param, node, where, ""), where);
-  }
-  return params;
-}
-
-void save_window_params(const std::filesystem::path& path, const WindowParams& params) {
-  std::string text;
-  for (const Field& field : WindowParams::description().fields)
-    text += std::string(field.name) + " = " + to_text(field.get(&params)) + "\n";
-  write_file_atomically(path, text);
 }
 
 bool has_word(const std::string& words, std::string_view word) {
