@@ -2,12 +2,14 @@
 
 #include <imgui.h>
 
+#include <glm/vec2.hpp>
+
 #include "app/workbench/camera_control.h"
 
 namespace inkbench {
 namespace {
 
-constexpr float kStepPixels = 20.0F;  // of a drag that moves nearer or farther by one step of the wheel
+constexpr double kDragStepsPerPixel = 0.05;
 
 void set_camera(Workbench& bench, const CameraParams& camera) {
   Settings next = bench.settings();
@@ -15,36 +17,35 @@ void set_camera(Workbench& bench, const CameraParams& camera) {
   bench.replace(next);
 }
 
-/// Where the mouse is in the shown picture, and how large the picture stands in the window.
-struct PictureMouse {
-  glm::vec2 now{0}, before{0};
+/// The shown picture as the camera's functions see it: at its size in the window.
+struct ShownImage {
   ViewSize size;
+  glm::vec2 mouse, before;
 };
 
-PictureMouse mouse_in(const Workbench& bench, const TileFrame& frame) {
+ShownImage shown_image(const Workbench& bench, const TileFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   const auto scale = static_cast<float>(magnification(bench.view, frame));
-  const PicturePoint point = point_under(bench.view, frame, io.MousePos.x, io.MousePos.y);
-  PictureMouse mouse;
-  mouse.now = glm::vec2(point.x, point.y) * scale;
-  mouse.before = mouse.now - glm::vec2(io.MouseDelta.x, io.MouseDelta.y);
-  mouse.size = {static_cast<float>(frame.picture_width) * scale,
-                static_cast<float>(frame.picture_height) * scale};
-  return mouse;
+  const auto at = [&](float x, float y) {
+    const PicturePoint point = point_under(bench.view, frame, x, y);
+    return glm::vec2(point.x * scale, point.y * scale);
+  };
+  return {{static_cast<float>(frame.picture_width) * scale, static_cast<float>(frame.picture_height) * scale},
+          at(io.MousePos.x, io.MousePos.y),
+          at(io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y)};
 }
 
-void move_camera(Workbench& bench, const TileFrame& frame) {
+void drag_camera(Workbench& bench, const TileFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const ImVec2 delta = io.MouseDelta;
-  if (delta.x == 0.0F && delta.y == 0.0F) return;
+  if (io.MouseDelta.x == 0.0F && io.MouseDelta.y == 0.0F) return;
   const CameraParams& camera = bench.settings().camera;
-  const PictureMouse mouse = mouse_in(bench, frame);
+  const ShownImage image = shown_image(bench, frame);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-    set_camera(bench, dolly(camera, (delta.x - delta.y) / kStepPixels));
+    set_camera(bench, dolly(camera, kDragStepsPerPixel * (io.MouseDelta.x - io.MouseDelta.y)));
   } else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift) {
-    set_camera(bench, pan(camera, mouse.before, mouse.now, mouse.size));
+    set_camera(bench, pan(camera, image.before, image.mouse, image.size));
   } else {
-    set_camera(bench, orbit_drag(camera, mouse.before, mouse.now, mouse.size));
+    set_camera(bench, orbit_drag(camera, image.before, image.mouse, image.size));
   }
 }
 
@@ -63,11 +64,10 @@ bool camera_mouse(Workbench& bench, const TileFrame& frame) {
     bench.view.camera_moving = true;
     bench.begin_edit();
   }
-  if (ImGui::IsItemActive() && bench.view.camera_moving) move_camera(bench, frame);
-  if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) {
-    const PictureMouse mouse = mouse_in(bench, frame);
-    set_camera(bench, dolly_at(bench.settings().camera, io.MouseWheel, mouse.now, mouse.size));
-  }
+  if (ImGui::IsItemActive() && bench.view.camera_moving) drag_camera(bench, frame);
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F)
+    set_camera(bench, dolly_at(bench.settings().camera, io.MouseWheel, shown_image(bench, frame).mouse,
+                               shown_image(bench, frame).size));
   return true;
 }
 

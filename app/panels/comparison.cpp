@@ -84,10 +84,11 @@ void toggle_comparison(Workbench& bench) {
   }
   const bool pinned = bench.pictures.pinned_settings().has_value();
   const BufferName selected = bench.view.filled.value_or(bench.view.selected);
-  const auto next = static_cast<BufferName>((static_cast<size_t>(selected) + 1) % kBufferCount);
+  const auto before =
+      static_cast<BufferName>((static_cast<size_t>(selected) + kBufferCount - 1) % kBufferCount);
   if (comparison.a == comparison.b || comparison.a.buffer != selected || comparison.a.pinned != pinned) {
     comparison.a = {selected, pinned};
-    comparison.b = {pinned ? selected : next, false};
+    comparison.b = {pinned ? selected : before, false};
   }
   comparison.active = true;
 }

@@ -11,7 +11,7 @@ namespace inkbench {
 void draw_comparison(Workbench& bench, ImVec2 low, ImVec2 room);
 
 /// Begins a comparison of the selected buffer: against its pinned self where a state is pinned, else against
-/// the next listed buffer. Ends one that is on.
+/// the one before it in the chain. Ends one that is on.
 void toggle_comparison(Workbench& bench);
 
 }  // namespace inkbench

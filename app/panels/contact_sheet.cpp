@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/panels/comparison.h"
+#include "app/panels/picture_menu.h"
 #include "app/panels/picture_tile.h"
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
@@ -45,7 +46,7 @@ SheetGrid best_grid(int count, ImVec2 room, float aspect) {
 }
 
 std::string range_note(const ShownPicture& shown) {
-  if (shown.is_late) return "when you let go";
+  if (shown.is_late) return shown.texture == nullptr ? "..." : "when you let go";
   if (!shown.range) return "";
   return shortest(std::round(shown.range->black * 1e4F) / 1e4F) + " to " +
          shortest(std::round(shown.range->white * 1e4F) / 1e4F);
@@ -56,7 +57,8 @@ std::string number_key(size_t index) {
   return std::to_string((index + 1) % 10);
 }
 
-void draw_fit_button(Workbench& bench, BufferName buffer, ImVec2 right_top, float height) {
+/// `shown`: the mouse is on the picture.
+void draw_fit_button(Workbench& bench, BufferName buffer, ImVec2 right_top, float height, bool shown) {
   PictureChoice& choice = bench.pictures.choice(buffer);
   const bool fitted = choice.kind == PictureChoice::Kind::fitted;
   const float width = ImGui::CalcTextSize("fit").x + scaled(8);
@@ -67,6 +69,7 @@ void draw_fit_button(Workbench& bench, BufferName buffer, ImVec2 right_top, floa
   bench.ui_map.mark_item(id);
   ImU32 colour = fitted ? theme().accent : theme().faint;
   if (ImGui::IsItemHovered()) colour = theme().text;
+  if (!fitted && !shown && !ImGui::IsItemHovered()) return;
   ImGui::GetWindowDrawList()->AddText({right_top.x - width + scaled(4), right_top.y + scaled(3)}, colour,
                                       "fit");
   help_for_item("Show the smallest value as black and the largest as white. Files keep the display gains.");
@@ -76,7 +79,7 @@ bool can_fit(BufferName buffer) {
   return buffer != BufferName::object_id && buffer != BufferName::reference;
 }
 
-void draw_caption(Workbench& bench, BufferName buffer, const TileRect& picture) {
+void draw_caption(Workbench& bench, BufferName buffer, const TileRect& picture, bool hovered) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float top = picture.low.y - caption_height();
   const float text_y = top + scaled(3);
@@ -84,8 +87,9 @@ void draw_caption(Workbench& bench, BufferName buffer, const TileRect& picture) 
   const ShownPicture& shown = bench.pictures.shown(buffer, false);
   float right = picture.high.x;
   if (can_fit(buffer)) {
-    draw_fit_button(bench, buffer, {right, top}, caption_height());
-    right -= ImGui::CalcTextSize("fit").x + scaled(10);
+    const bool fitted = bench.pictures.choice(buffer).kind == PictureChoice::Kind::fitted;
+    draw_fit_button(bench, buffer, {right, top}, caption_height(), hovered);
+    if (fitted || hovered) right -= ImGui::CalcTextSize("fit").x + scaled(10);
   }
   float x = picture.low.x + scaled(1);
   list.AddText({x, text_y}, theme().faint, number_key(index).c_str());
@@ -102,6 +106,7 @@ void draw_tile(Workbench& bench, BufferName buffer, const TileRect& picture) {
   const std::string name(name_of(buffer));
   const ComparedPicture which{buffer, false};
   const TileMouse mouse = handle_tile_mouse(bench, "tile:" + name, which, picture);
+  draw_picture_menu(bench, buffer);
   if (mouse.clicked) bench.view.selected = buffer;
   if (mouse.double_clicked) {
     bench.view.filled = bench.view.filled ? std::nullopt : std::optional(buffer);
@@ -111,7 +116,7 @@ void draw_tile(Workbench& bench, BufferName buffer, const TileRect& picture) {
   const float out = selected ? scaled(1) : 0;
   list.AddRect({picture.low.x - out, picture.low.y - out}, {picture.high.x + out, picture.high.y + out},
                selected ? theme().accent : theme().line, 0, 0, selected ? scaled(2) : 1.0F);
-  draw_caption(bench, buffer, picture);
+  draw_caption(bench, buffer, picture, mouse.hovered);
 }
 
 void draw_sheet(Workbench& bench, ImVec2 low, ImVec2 room) {

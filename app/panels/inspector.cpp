@@ -29,10 +29,8 @@ constexpr std::array<std::string_view, kBufferCount> kMeanings{
 };
 
 std::string values_text(const Image& pixel) {
-  std::string text;
-  for (int c = 0; c < pixel.channels; ++c)
-    text += (c > 0 ? "  " : "") + number_text(pixel.at(0, 0, c), false);
-  return text;
+  if (pixel.channels == 1) return number_text(pixel.at(0, 0), false);
+  return fmt::format("{:.3f} {:.3f} {:.3f}", pixel.at(0, 0, 0), pixel.at(0, 0, 1), pixel.at(0, 0, 2));
 }
 
 void draw_choice(Workbench& bench, BufferName buffer) {
@@ -83,11 +81,12 @@ void value_row(Workbench& bench, BufferName buffer, const HoveredPixel& pixel) {
   ImGui::TableNextColumn();
   coloured_text(buffer == pixel.picture.buffer ? theme().text : theme().faint, name_of(buffer));
   ImGui::TableNextColumn();
-  const ImageParams& image = bench.settings().image;
-  if (pixel.x >= image.width || pixel.y >= image.height) return;
+  // Those that are drawn, not those that this frame's mouse made: reading must not run a pass.
+  const std::optional<Settings>& settings = bench.drawn_settings();
+  if (!settings || pixel.x >= settings->image.width || pixel.y >= settings->image.height) return;
   try {
     ImGui::TextUnformatted(
-        values_text(bench.pictures.pipeline().pixel(bench.settings(), buffer, pixel.x, pixel.y)).c_str());
+        values_text(bench.pictures.pipeline().pixel(*settings, buffer, pixel.x, pixel.y)).c_str());
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }

@@ -41,6 +41,10 @@ bool editing_keys(Workbench& bench, bool shift) {
 }
 
 bool view_keys(Workbench& bench, bool control, bool shift) {
+  if (!control && letter_pressed('w')) {
+    bench.view.wireframe = !bench.view.wireframe;
+    return true;
+  }
   for (int key = 1; key <= 9; ++key) {
     if (!ImGui::IsKeyPressed(GLFW_KEY_0 + key, false) || control == shift) continue;
     control ? keep_view(bench, key) : recall_view(bench, key);

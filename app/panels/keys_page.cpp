@@ -17,7 +17,7 @@ struct Entry {
 };
 
 constexpr std::array kPictures{
-    Entry{"Wheel", "zoom about the mouse, all pictures together"},
+    Entry{"Wheel", "zoom all pictures about the mouse"},
     Entry{"Drag", "move the pictures"},
     Entry{"Double click", "fill the window with one; again for all"},
     Entry{"1 to 9, 0", "fill the window with that buffer"},
@@ -25,6 +25,8 @@ constexpr std::array kPictures{
     Entry{"F, Z", "fit; one to one"},
     Entry{"C, Space", "compare two; flip between them"},
     Entry{"P", "pin this state to compare with"},
+    Entry{"W", "the meshes' triangles over the pictures"},
+    Entry{"Right click", "save it, copy its command"},
 };
 
 constexpr std::array kParameters{
@@ -39,14 +41,25 @@ constexpr std::array kCamera{
     Entry{"Alt+Shift+drag", "move along the picture"},
     Entry{"Alt+wheel", "nearer, farther"},
     Entry{"O, V", "the mouse for the camera; for the view"},
+    Entry{"Ctrl+1 to 9", "keep the camera"},
+    Entry{"Shift+1 to 9", "back to a kept camera"},
+    Entry{"Home", "fit the scene; with Shift the model"},
 };
 
 constexpr std::array kWindow{
     Entry{"Tab", "pictures alone; again for all panels"},
+    Entry{"Ctrl+Z, Ctrl+Y", "undo; redo (also Ctrl+Shift+Z)"},
+    Entry{"Ctrl+S", "save the settings; with Shift elsewhere"},
+    Entry{"Ctrl+E", "save a picture"},
+    Entry{"Ctrl+Shift+C", "copy as an `inkbench render` command"},
+    Entry{"Ctrl+V", "open the copied path, take copied settings"},
     Entry{"F11, F12", "full screen; save a screenshot"},
     Entry{"Ctrl+O, Ctrl+Q", "open a file; quit"},
     Entry{"F1", "this page"},
 };
+
+constexpr ImGuiWindowFlags kFlags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 
 template <size_t kCount>
 void draw_list(const char* title, const std::array<Entry, kCount>& entries) {
@@ -69,7 +82,7 @@ void draw_list(const char* title, const std::array<Entry, kCount>& entries) {
 
 void draw_columns() {
   const float width = (ImGui::GetContentRegionAvail().x - scaled(24)) / 2;
-  const float height = scaled(320);
+  const float height = scaled(404);
   ImGui::BeginChild("left", {width, height});
   draw_list("Pictures", kPictures);
   draw_list("Window", kWindow);
@@ -84,23 +97,32 @@ void draw_columns() {
 }  // namespace
 
 void draw_keys_page(Workbench& bench) {
-  if (!bench.window.keys_page) return;
+  if (!bench.layout.show_welcome) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(screen);
+  ImGui::SetNextWindowFocus();
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 110));
+  ImGui::Begin("behind the keys", nullptr, kFlags);
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+    bench.layout.show_welcome = false;
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::SetNextWindowFocus();
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSize({std::min(scaled(860), screen.x - scaled(20)), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(26), scaled(20)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().bar);
-  ImGui::Begin("keys and mouse", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::Begin("keys and mouse", nullptr, kFlags);
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted("Keys and mouse");
   ImGui::PopFont();
   faint_text("Every number has a slider on the left; every picture follows at once.");
   ImGui::Dummy({0, scaled(8)});
   draw_columns();
-  if (ImGui::Button("Start", {scaled(110), 0})) bench.window.keys_page = false;
+  if (ImGui::Button("Start", {scaled(110), 0})) bench.layout.show_welcome = false;
   bench.ui_map.mark_item("start");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();

@@ -5,7 +5,7 @@
 
 namespace inkbench {
 
-/// Over everything else while `bench.window.keys_page` says so.
+/// Over everything else while `bench.layout.show_welcome` says so.
 void draw_keys_page(Workbench& bench);
 
 }  // namespace inkbench

@@ -16,9 +16,9 @@ constexpr std::array kTitles{"Parameters", "Presets", "History", "Views"};
 
 void draw_tab(Workbench& bench, LeftTab tab, ImVec2 low, ImVec2 size) {
   const char* title = kTitles[static_cast<size_t>(tab)];
-  const bool on = bench.window.left_tab == tab;
+  const bool on = bench.layout.left_tab == tab;
   ImGui::SetCursorScreenPos(low);
-  if (ImGui::InvisibleButton(title, size)) bench.window.left_tab = tab;
+  if (ImGui::InvisibleButton(title, size)) bench.layout.left_tab = tab;
   bench.ui_map.mark_item(std::string("tab:") + title);
   const bool hot = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -60,14 +60,14 @@ void draw_tabs(Workbench& bench) {
 }  // namespace
 
 void LeftPanel::focus_search(Workbench& bench) {
-  bench.window.show_left = true;
-  bench.window.left_tab = LeftTab::parameters;
+  bench.layout.show_parameters = true;
+  bench.layout.left_tab = LeftTab::parameters;
   parameters_.focus_search();
 }
 
 void LeftPanel::draw(Workbench& bench) {
   draw_tabs(bench);
-  switch (bench.window.left_tab) {
+  switch (bench.layout.left_tab) {
     case LeftTab::parameters:
       return parameters_.draw(bench);
     case LeftTab::presets:

@@ -62,8 +62,9 @@ float divider(Workbench& bench, const char* name, const Area& area, bool upright
   return moved;
 }
 
-int moved_size(int size, float by) {
-  return std::max(0, size + static_cast<int>(std::lround(by / scaled(100) * 100)));
+/// Shares of the window; limited so that a panel can neither vanish nor cover the others.
+void move_share(float& share, float by, float whole, float largest) {
+  if (by != 0) share = std::clamp(share + by / std::max(whole, 1.0F), 0.08F, largest);
 }
 
 }  // namespace
@@ -74,22 +75,21 @@ struct MainFrame::Places {
 };
 
 MainFrame::Places MainFrame::arrange(Workbench& bench) const {
-  const WindowParams& window = bench.window;
+  const WindowLayout& layout = bench.layout;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float top = menu_bar_.height();
   const float foot = screen.y - ImGui::GetTextLineHeight() - scaled(8);
   const float gap = scaled(kDivider);
-  const auto side = [&](bool shown, int wanted) {
-    return shown ? std::clamp(scaled(static_cast<float>(wanted)), scaled(kSmallestSide), screen.x * 0.42F)
-                 : 0;
+  const auto side = [&](bool shown, float share) {
+    return shown ? std::round(std::max(share * screen.x, scaled(kSmallestSide))) : 0;
   };
-  float left = side(window.show_left, window.left);
-  float right = side(window.show_right, window.right);
+  const float left = side(layout.show_parameters, layout.left);
+  float right = side(layout.show_inspector, layout.right);
   const float spare = screen.x - left - right - scaled(kSmallestMiddle);
   if (spare < 0) right = std::max(0.0F, right + spare);
-  const float bottom = window.show_bottom ? std::clamp(scaled(static_cast<float>(window.bottom)),
-                                                       scaled(kSmallestBottom), (foot - top) * 0.6F)
-                                          : 0;
+  const bool has_bottom = layout.show_timings || layout.show_log;
+  const float wanted = std::max(std::round(layout.bottom * screen.y), scaled(kSmallestBottom));
+  const float bottom = has_bottom ? std::min(wanted, (foot - top) * 0.6F) : 0;
   const float middle_foot = bottom > 0 ? foot - bottom - gap : foot;
   Places places;
   const float x1 = left > 0 ? left + gap : 0;
@@ -100,7 +100,9 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
   if (right > 0) places.right_divider = {{x2, top}, {x2 + gap, middle_foot}};
   if (right > 0) places.right = {{x2 + gap, top}, {screen.x, middle_foot}};
   if (bottom > 0) {
-    const float split = std::round(x1 + (screen.x - x1) * 0.5F);
+    float split = std::round(x1 + (screen.x - x1) * 0.56F);
+    if (!layout.show_log) split = screen.x;
+    if (!layout.show_timings) split = x1 - 1;
     places.bottom_divider = {{x1, middle_foot}, {screen.x, middle_foot + gap}};
     places.timings = {{x1, middle_foot + gap}, {split, foot}};
     places.log = {{split + 1, middle_foot + gap}, {screen.x, foot}};
@@ -110,10 +112,11 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
 }
 
 void MainFrame::draw_dividers(Workbench& bench, const Places& places) {
-  WindowParams& window = bench.window;
-  window.left = moved_size(window.left, divider(bench, "divider:left", places.left_divider, true));
-  window.right = moved_size(window.right, -divider(bench, "divider:right", places.right_divider, true));
-  window.bottom = moved_size(window.bottom, -divider(bench, "divider:bottom", places.bottom_divider, false));
+  WindowLayout& layout = bench.layout;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  move_share(layout.left, divider(bench, "divider:left", places.left_divider, true), screen.x, 0.42F);
+  move_share(layout.right, -divider(bench, "divider:right", places.right_divider, true), screen.x, 0.42F);
+  move_share(layout.bottom, -divider(bench, "divider:bottom", places.bottom_divider, false), screen.y, 0.6F);
 }
 
 void MainFrame::draw_bottom(Workbench& bench, const Places& places) {

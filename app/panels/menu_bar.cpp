@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/panels/edit_menu.h"
+#include "app/panels/shortcuts.h"
 #include "app/window/theme.h"
 #include "pipeline/base/files.h"
 
@@ -50,19 +51,25 @@ void MenuBar::file_menu(Workbench& bench) {
 }
 
 void MenuBar::view_menu(Workbench& bench) {
-  WindowParams& window = bench.window;
+  WindowLayout& layout = bench.layout;
   const bool open = ImGui::BeginMenu("View");
   bench.ui_map.mark_item("menu:View");
   if (!open) return;
-  if (item(bench, "Left panel", nullptr, window.show_left)) window.show_left = !window.show_left;
-  if (item(bench, "Inspector", nullptr, window.show_right)) window.show_right = !window.show_right;
-  if (item(bench, "Timings and log", nullptr, window.show_bottom)) window.show_bottom = !window.show_bottom;
+  const auto panel = [&](const char* label, bool& shown) {
+    if (item(bench, label, nullptr, shown)) shown = !shown;
+  };
+  panel("Left panel", layout.show_parameters);
+  panel("Inspector", layout.show_inspector);
+  panel("Timings", layout.show_timings);
+  panel("Log", layout.show_log);
   ImGui::Separator();
-  if (item(bench, "Dark", nullptr, window.theme == ThemeName::dark)) window.theme = ThemeName::dark;
-  if (item(bench, "Light", nullptr, window.theme == ThemeName::light)) window.theme = ThemeName::light;
+  if (item(bench, "Dark", nullptr, layout.theme == Theme::dark)) layout.theme = Theme::dark;
+  if (item(bench, "Light", nullptr, layout.theme == Theme::light)) layout.theme = Theme::light;
   ImGui::Separator();
-  if (item(bench, "Larger text", "Ctrl++")) window.zoom = std::min(window.zoom + 0.1F, 3.0F);
-  if (item(bench, "Smaller text", "Ctrl+-")) window.zoom = std::max(window.zoom - 0.1F, 0.5F);
+  if (item(bench, "Larger text", "Ctrl++")) change_text_size(bench, 0.1F);
+  if (item(bench, "Smaller text", "Ctrl+-")) change_text_size(bench, -0.1F);
+  ImGui::Separator();
+  if (item(bench, "Wireframe", "W", bench.view.wireframe)) bench.view.wireframe = !bench.view.wireframe;
   ImGui::Separator();
   if (item(bench, "Full screen", "F11")) bench.requests.toggle_full_screen = true;
   if (item(bench, "Save a screenshot", "F12")) bench.requests.screenshot = true;
@@ -78,7 +85,7 @@ void MenuBar::draw(Workbench& bench) {
     const bool help = ImGui::BeginMenu("Help");
     bench.ui_map.mark_item("menu:Help");
     if (help) {
-      if (item(bench, "Keys and mouse", "F1")) bench.window.keys_page = true;
+      if (item(bench, "Keys and mouse", "F1")) bench.layout.show_welcome = true;
       ImGui::EndMenu();
     }
     ImGui::EndMainMenuBar();

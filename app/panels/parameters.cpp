@@ -10,6 +10,7 @@
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
+#include "app/window/word_list.h"
 #include "pipeline/base/text.h"
 
 namespace inkbench {
@@ -105,10 +106,10 @@ void ParametersPanel::draw_group(Workbench& bench, const ParamGroup& group, cons
   }
   if (rows.empty()) return;
   ImGui::PushID(group.prefix.c_str());
-  const bool was_open = has_word(bench.window.open_groups, group.prefix);
+  const bool was_open = has_word(bench.layout.open_groups, group.prefix);
   const bool open = searching || was_open;
   if (draw_heading(bench, group, open, is_changed(group, baseline)) && !searching)
-    bench.window.open_groups = with_word(bench.window.open_groups, group.prefix, !was_open);
+    bench.layout.open_groups = with_word(bench.layout.open_groups, group.prefix, !was_open);
   if (open) {
     const float name_width = std::round(ImGui::GetContentRegionAvail().x * 0.40F);
     for (RowContext& row : rows) {

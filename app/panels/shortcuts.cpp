@@ -4,9 +4,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/comparison.h"
 #include "app/panels/keep_shortcuts.h"
+#include "app/window/theme.h"
 
 namespace inkbench {
 namespace {
@@ -15,16 +17,12 @@ bool pressed(int key) {
   return ImGui::IsKeyPressed(key, false);
 }
 
-void set_zoom(Workbench& bench, float change) {
-  bench.window.zoom = std::clamp(bench.window.zoom + change, 0.5F, 3.0F);
-}
-
 ShortcutRequests with_control(Workbench& bench) {
   ShortcutRequests requests;
   requests.search = letter_pressed('f');
   if (letter_pressed('q')) bench.requests.close = true;
-  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) set_zoom(bench, 0.1F);
-  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) set_zoom(bench, -0.1F);
+  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) change_text_size(bench, 0.1F);
+  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) change_text_size(bench, -0.1F);
   return requests;
 }
 
@@ -42,8 +40,8 @@ void fill_by_number(Workbench& bench) {
 
 /// One step back towards the sheet of all buffers.
 void step_back(Workbench& bench) {
-  if (bench.window.keys_page) {
-    bench.window.keys_page = false;
+  if (bench.layout.show_welcome) {
+    bench.layout.show_welcome = false;
   } else if (bench.view.comparison.active) {
     bench.view.comparison.active = false;
   } else {
@@ -51,9 +49,9 @@ void step_back(Workbench& bench) {
   }
 }
 
-void toggle_panels(WindowParams& window) {
-  const bool any = window.show_left || window.show_right || window.show_bottom;
-  window.show_left = window.show_right = window.show_bottom = !any;
+void toggle_panels(WindowLayout& layout) {
+  const bool any = layout.show_parameters || layout.show_inspector || layout.show_timings || layout.show_log;
+  layout.show_parameters = layout.show_inspector = layout.show_timings = layout.show_log = !any;
 }
 
 void plain_letters(Workbench& bench) {
@@ -79,17 +77,21 @@ bool letter_pressed(char letter) {
   return false;
 }
 
+void change_text_size(Workbench& bench, float change) {
+  bench.layout.ui_scale = std::clamp(std::round((text_scale() + change) * 10.0F) / 10.0F, 0.5F, 4.0F);
+}
+
 ShortcutRequests handle_shortcuts(Workbench& bench) {
   const ImGuiIO& io = ImGui::GetIO();
   if (handle_keep_shortcuts(bench)) return {};
-  if (pressed(GLFW_KEY_F1)) bench.window.keys_page = !bench.window.keys_page;
+  if (pressed(GLFW_KEY_F1)) bench.layout.show_welcome = !bench.layout.show_welcome;
   if (pressed(GLFW_KEY_F11)) bench.requests.toggle_full_screen = true;
   if (pressed(GLFW_KEY_F12)) bench.requests.screenshot = true;
   if (io.KeyCtrl && !io.KeyAlt) return with_control(bench);
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (io.WantTextInput || popup || io.KeyAlt) return {};
   if (pressed(GLFW_KEY_ESCAPE)) step_back(bench);
-  if (pressed(GLFW_KEY_TAB)) toggle_panels(bench.window);
+  if (pressed(GLFW_KEY_TAB)) toggle_panels(bench.layout);
   Comparison& comparison = bench.view.comparison;
   if (pressed(GLFW_KEY_SPACE) && comparison.active) {
     if (comparison.flips) comparison.shows_b = !comparison.shows_b;

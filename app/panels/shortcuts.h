@@ -16,4 +16,7 @@ bool letter_pressed(char letter);
 /// Once a frame; keys that a text field wants are its own.
 ShortcutRequests handle_shortcuts(Workbench& bench);
 
+/// Larger or smaller by so many times the usual size.
+void change_text_size(Workbench& bench, float change);
+
 }  // namespace inkbench

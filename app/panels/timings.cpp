@@ -57,13 +57,14 @@ void pass_row(const std::string& name, const PassTime& time, const StageCount* c
 }
 
 void head() {
-  for (const auto& [name, width] : {std::pair{"pass", 92.0F},
-                                    {"last change", 92.0F},
-                                    {"ms", 46.0F},
-                                    {"mean", 46.0F},
-                                    {"##bar", 0.0F},
-                                    {"runs", 52.0F},
-                                    {"reuses", 62.0F}}) {
+  constexpr std::array<std::pair<const char*, float>, 7> kColumns{{{"pass", 84},
+                                                                   {"last change", 84},
+                                                                   {"ms", 42},
+                                                                   {"mean", 42},
+                                                                   {"##bar", 0},
+                                                                   {"runs", 40},
+                                                                   {"reuses", 52}}};
+  for (const auto& [name, width] : kColumns) {
     const bool stretches = width == 0.0F;
     ImGui::TableSetupColumn(name,
                             stretches ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed,
@@ -93,7 +94,10 @@ void draw_timings(Workbench& bench) {
   for (const char* name : {"tiles", "window"}) passes.emplace_back(name, bench.window_timer.time_of(name));
   double longest = 0.0;
   for (const auto& [name, time] : passes) longest = std::max(longest, time.last_ms);
-  if (!ImGui::BeginTable("timings", 7, ImGuiTableFlags_ScrollY)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(scaled(5), scaled(1)));
+  const bool open = ImGui::BeginTable("timings", 7, ImGuiTableFlags_ScrollY);
+  ImGui::PopStyleVar();
+  if (!open) return;
   head();
   for (const auto& [name, time] : passes) {
     const auto count = counts.find(name);

@@ -71,11 +71,13 @@ void panel_heading(std::string_view text) {
   const ImVec2 low = ImGui::GetWindowPos();
   const float height = ImGui::GetFrameHeight() + scaled(2);
   const ImVec2 high{low.x + ImGui::GetWindowWidth(), low.y + height};
+  list.PushClipRect(low, high, false);
   list.AddRectFilled(low, high, theme().bar);
   list.AddText(fonts().bold, ImGui::GetFontSize(),
                {low.x + scaled(10), low.y + (height - ImGui::GetFontSize()) / 2}, theme().text,
                begin_of(text), end_of(text));
-  ImGui::SetCursorScreenPos({low.x + ImGui::GetStyle().WindowPadding.x, high.y + scaled(6)});
+  list.PopClipRect();
+  ImGui::SetCursorScreenPos({low.x + ImGui::GetStyle().WindowPadding.x, high.y + scaled(7)});
 }
 
 void help_for_item(std::string_view text) {

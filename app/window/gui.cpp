@@ -66,10 +66,10 @@ Gui::~Gui() {
   ImGui::DestroyContext();
 }
 
-void Gui::set_look(ThemeName name, float zoom) {
-  look_changed_ |= name != theme_ || zoom != zoom_;
+void Gui::set_look(Theme name, float scale) {
+  look_changed_ |= name != theme_ || scale != scale_;
   theme_ = name;
-  zoom_ = zoom;
+  scale_ = scale;
 }
 
 void Gui::make_fonts(float scale) {
@@ -86,7 +86,7 @@ void Gui::make_fonts(float scale) {
 }
 
 void Gui::begin_frame() {
-  const float scale = window_.content_scale() * zoom_;
+  const float scale = scale_ > 0.0F ? scale_ : window_.content_scale();
   if (scale != font_scale_) {
     make_fonts(scale);
     look_changed_ = true;

@@ -25,8 +25,8 @@ class Gui {
   Gui& operator=(const Gui&) = delete;
   ~Gui();
 
-  /// Palette and text size from the next frame on; `zoom` is on top of the desktop's scale.
-  void set_look(ThemeName name, float zoom);
+  /// Palette and text size from the next frame on; a `scale` of 0 is the desktop's.
+  void set_look(Theme name, float scale);
 
   void begin_frame();
   /// Draws the frame into the window. Errors (work): what OpenGL reports.
@@ -37,8 +37,8 @@ class Gui {
 
   Window& window_;
   InputQueue& input_;
-  ThemeName theme_ = ThemeName::dark;
-  float zoom_ = 1.0F;
+  Theme theme_ = Theme::dark;
+  float scale_ = 0.0F;
   float font_scale_ = 0.0F;
   bool look_changed_ = true;
 };

@@ -13,6 +13,10 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
+bool is_modifier(int key) {
+  return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+}
+
 bool makes_text(int key) {
   return key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2;
 }
@@ -109,6 +113,7 @@ bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
       return true;
     case Kind::key:
       if (frame.buttons.any() || frame.scrolled || frame.keys.contains(event.code)) return false;
+      if (is_modifier(event.code) && !frame.keys.empty()) return false;  // it was held for those keys, or not
       frame.keys.insert(event.code);
       frame.other_keys |= !makes_text(event.code);
       ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.mods);
@@ -129,6 +134,12 @@ void InputQueue::feed() {
   io.MousePos =
       known ? ImVec2(static_cast<float>(mouse_x_), static_cast<float>(mouse_y_)) : ImVec2(-FLT_MAX, -FLT_MAX);
   for (size_t i = 0; i < buttons_.size(); ++i) io.MouseDown[i] = buttons_[i];
+  // The backend asks for the keys' state now, which may be later than the events of this frame.
+  const auto down = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
+  io.KeyCtrl = down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+  io.KeyShift = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+  io.KeyAlt = down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+  io.KeySuper = down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
 }
 
 bool InputQueue::take_activity() {

@@ -35,7 +35,7 @@ Session Keeping::start() {
     drop_known_work(session.settings);
   }
   kept_ = session;
-  saved_window_ = session.window;
+  saved_layout_ = session.layout;
   return session;
 }
 
@@ -44,14 +44,17 @@ void Keeping::drop_known_work(const Settings& settings) {
   for (size_t i = store_->unsaved().size(); i-- > 0;) {
     if (same_settings(store_->unsaved()[i].session.settings, settings)) store_->forget_unsaved(i);
   }
-  unsaved_ = store_->unsaved();
+}
+
+std::span<const UnsavedWork> Keeping::unsaved() const {
+  return store_ != nullptr ? std::span(store_->unsaved()) : std::span<const UnsavedWork>();
 }
 
 Session Keeping::session_of(const Workbench& bench) const {
   Session session = kept_;
   session.settings = with_absolute_paths(bench.settings());
   session.scene = bench.scene();
-  session.window = bench.window;
+  session.layout = bench.layout;
   return session;
 }
 
@@ -67,10 +70,10 @@ void Keeping::save_now(Workbench& bench) {
 void Keeping::autosave(Workbench& bench, double now_seconds) {
   const long revision = bench.revision() + own_revision_;
   if (now_seconds < next_save_ || bench.is_editing()) return;
-  if (revision == saved_revision_ && bench.window == saved_window_) return;
+  if (revision == saved_revision_ && bench.layout == saved_layout_) return;
   save_now(bench);
   saved_revision_ = revision;
-  saved_window_ = bench.window;
+  saved_layout_ = bench.layout;
   next_save_ = now_seconds + kAutosaveSeconds;
 }
 
@@ -84,8 +87,8 @@ void Keeping::close(Workbench& bench) {
 }
 
 void Keeping::restore(Workbench& bench) {
-  if (unsaved_.empty()) return;
-  const Session session = unsaved_.front().session;
+  if (unsaved().empty()) return;
+  const Session session = unsaved().front().session;
   if (!bench.take_over(session.settings, session.scene, "restore unsaved work")) return;
   if (!session.bookmarks.empty()) set_bookmarks(session.bookmarks);
   save_now(bench);  // before the old autosave goes
@@ -93,9 +96,8 @@ void Keeping::restore(Workbench& bench) {
 }
 
 void Keeping::discard() {
-  if (unsaved_.empty()) return;
+  if (unsaved().empty()) return;
   store_->forget_unsaved(0);
-  unsaved_ = store_->unsaved();
 }
 
 std::vector<std::string> Keeping::take_notes() {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ class Keeping {
   void close(Workbench& bench);
 
   /// What windows that died had not saved, newest first.
-  const std::vector<UnsavedWork>& unsaved() const { return unsaved_; }
+  std::span<const UnsavedWork> unsaved() const;
   /// Takes the newest unsaved work over; undo brings back what was there.
   void restore(Workbench& bench);
   /// Removes the newest unsaved work for good.
@@ -57,9 +58,8 @@ class Keeping {
   std::unique_ptr<SessionStore> store_;  ///< None where there is no folder.
   PresetStore presets_;
   Session kept_;  ///< Its recent files and bookmarks.
-  std::vector<UnsavedWork> unsaved_;
   long own_revision_ = 0, saved_revision_ = -1;
-  WindowParams saved_window_;
+  WindowLayout saved_layout_;
   double next_save_ = 0.0;
 };
 

@@ -51,7 +51,7 @@ ShownRange range_of(const Image& image) {
 
 }  // namespace
 
-Pictures::Pictures() = default;
+Pictures::Pictures() : reference_ms_(std::numeric_limits<double>::infinity()) {}
 
 const ShownPicture& Pictures::shown(BufferName buffer, bool pinned) const {
   return pinned ? pinned_[place_of(buffer)] : now_[place_of(buffer)];
@@ -66,14 +66,14 @@ ShownRange Pictures::fitted_range(const Settings& settings, BufferName buffer) {
                                        [&] { return range_of(pipeline_.raw(settings, buffer)); });
 }
 
-void Pictures::refresh_reference(const Settings& settings, bool held) {
+void Pictures::refresh_reference(const Settings& settings, bool hurry) {
   ShownPicture& shown = now_[place_of(BufferName::reference)];
   const Key key = pipeline_.buffer_key(settings, BufferName::reference);
   if (shown.texture != nullptr && shown.key == key) {
     shown.is_late = false;
     return;
   }
-  if (held && reference_ms_ > kLongMs && shown.texture != nullptr) {
+  if (hurry && reference_ms_ > kLongMs) {
     shown.is_late = true;
     return;
   }
@@ -84,9 +84,9 @@ void Pictures::refresh_reference(const Settings& settings, bool held) {
   shown = {&texture, key, std::nullopt, false};
 }
 
-void Pictures::refresh_one(const Settings& settings, BufferName buffer, bool held) {
+void Pictures::refresh_one(const Settings& settings, BufferName buffer, bool hurry) {
   if (buffer == BufferName::reference) {
-    refresh_reference(settings, held);
+    refresh_reference(settings, hurry);
     return;
   }
   const PictureChoice& choice = choices_[place_of(buffer)];
@@ -97,9 +97,9 @@ void Pictures::refresh_one(const Settings& settings, BufferName buffer, bool hel
   now_[place_of(buffer)] = {picture.texture, picture.key, range, false};
 }
 
-void Pictures::refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool held) {
+void Pictures::refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool hurry) {
   for (size_t i = 0; i < kBufferCount; ++i) {
-    if (wanted[i]) refresh_one(settings, static_cast<BufferName>(i), held);
+    if (wanted[i]) refresh_one(settings, static_cast<BufferName>(i), hurry);
   }
 }
 

@@ -18,7 +18,7 @@ struct ShownPicture {
   const Texture* texture = nullptr;
   Key key;
   std::optional<ShownRange> range;  ///< What is black and white, where the display gains do not say.
-  bool is_late = false;             ///< Of earlier settings: it takes long and waits until nothing is held.
+  bool is_late = false;             ///< Of earlier settings: it takes long and waits until there is no hurry.
 };
 
 /// How a buffer's values become a picture. Of the window only: files are written with the display gains.
@@ -33,13 +33,13 @@ class Pictures {
   /// Needs a current OpenGL 4.5 context for its whole life. Errors (input): a shader does not compile.
   Pictures();
 
-  /// Draws what `wanted` names and is not up to date. `held`: a slider is being dragged, so that what takes
-  /// long waits. Errors (input, work): what cannot be drawn; that picture and those after it stay as they
-  /// were.
-  void refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool held);
+  /// Draws what `wanted` names and is not up to date. `hurry`: a slider is being dragged, so that what
+  /// takes long waits. Errors (input, work): what cannot be drawn; that picture and those after it stay as
+  /// they were.
+  void refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool hurry);
 
   const ShownPicture& shown(BufferName buffer, bool pinned) const;
-  /// Whether something waits for a refresh that is not held.
+  /// Whether something waits for a refresh without hurry.
   bool has_late() const;
 
   PictureChoice& choice(BufferName buffer) { return choices_[static_cast<size_t>(buffer)]; }
@@ -54,8 +54,8 @@ class Pictures {
   BufferSource& source() { return source_; }
 
  private:
-  void refresh_one(const Settings& settings, BufferName buffer, bool held);
-  void refresh_reference(const Settings& settings, bool held);
+  void refresh_one(const Settings& settings, BufferName buffer, bool hurry);
+  void refresh_reference(const Settings& settings, bool hurry);
   ShownRange fitted_range(const Settings& settings, BufferName buffer);
 
   Pipeline pipeline_;
@@ -66,7 +66,7 @@ class Pictures {
   Stage<Texture> reference_;
   std::array<Texture, kBufferCount> pinned_textures_;
   std::optional<Settings> pinned_settings_;
-  double reference_ms_ = 0.0;  ///< What the lines took last.
+  double reference_ms_;  ///< What the lines took last; long until it is known.
 };
 
 }  // namespace inkbench

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
+#include <limits>
 
 #include "app/panels/main_frame.h"
 #include "app/window/gui.h"
@@ -16,15 +16,16 @@
 #include "app/window/workbench.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
-#include "pipeline/export.h"
+#include "pipeline/image/image_file.h"
 
 namespace inkbench {
 namespace {
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kPollSeconds = 0.5;
 /// Frames after something happened: ImGui needs one more than the event's to settle (hover, popups' sizes).
 constexpr int kSettleFrames = 3;
-constexpr double kNewestShare = 0.1;
+constexpr double kNewestShare = 0.2;
 
 /// What the window looks like, row 0 on top.
 Picture read_window(WindowSize size) {
@@ -74,54 +75,60 @@ class WindowLoop {
   MainFrame frame_;
   int frames_wanted_ = kSettleFrames;
   double next_poll_ = 0.0;
+  double wake_at_ = kNever;
   int drag_frame_ = 0;
   std::string written_state_;
   bool failed_frame_ = false;
 };
 
-/// The last session, with what the command line says in place of its settings.
-Session start_session(Keeping& keeping, const WindowOptions& options) {
+/// What to start with: the last session, with what the command line says instead of its settings.
+Session start_session(const WindowOptions& options, Keeping& keeping) {
   Session session = keeping.start();
-  if (!options.settings) return session;
-  session.settings = *options.settings;
-  session.scene = options.scene;
+  if (options.settings) {
+    session.settings = *options.settings;
+    session.scene = options.scene;
+  }
+  if (options.size) {
+    session.layout.width_px = options.size->width_px;
+    session.layout.height_px = options.size->height_px;
+    session.layout.maximised = false;
+  }
   return session;
-}
-
-WindowSize start_size(const WindowOptions& options, const WindowParams& params) {
-  return options.size.value_or(WindowSize{params.width, params.height});
 }
 
 WindowLoop::WindowLoop(const WindowOptions& options)
     : options_(options),
-      start_(start_session(keeping_, options)),
-      window_("inkbench", start_size(options, start_.window)),
+      start_(start_session(options, keeping_)),
+      window_("inkbench", {start_.layout.width_px, start_.layout.height_px}),
       input_(window_.handle()),
       gui_(window_, input_),
       bench_(start_, keeping_) {
   for (const std::string& note : keeping_.take_notes()) bench_.tell(Severity::warning, note);
-  if (!options.size && start_.window.maximised) window_.maximise();
+  if (start_.layout.maximised) window_.maximise();
   if (!options.state_file.empty()) bench_.ui_map.enable();
   if (!options.file.empty()) bench_.open(options.file);
-  if (is_dragging_itself()) bench_.window.keys_page = false;
+  if (is_dragging_itself()) bench_.layout.show_welcome = false;
 }
 
 /// Sleeps until there is something to do; sets how many frames that takes.
 void WindowLoop::wait() {
   const double now = seconds_now();
-  const double wake = bench_.take_wake_seconds();
+  wake_at_ = std::min(wake_at_, now + bench_.take_wake_seconds());
   const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
   if (busy) {
     poll_events();
   } else {
-    wait_for_events(std::min(next_poll_ - now, wake));
+    wait_for_events(std::min(next_poll_, wake_at_) - now);
   }
   if (input_.take_activity()) frames_wanted_ = kSettleFrames;
-  if (std::isfinite(wake) && seconds_now() >= now + wake) frames_wanted_ = std::max(frames_wanted_, 1);
+  if (seconds_now() >= wake_at_) {
+    frames_wanted_ = std::max(frames_wanted_, 1);
+    wake_at_ = kNever;
+  }
   if (seconds_now() >= next_poll_) {
     if (bench_.poll_files()) frames_wanted_ = std::max(frames_wanted_, 2);
-    next_poll_ = seconds_now() + kPollSeconds;
     if (options_.drag_frames == 0) keeping_.autosave(bench_, seconds_now());
+    next_poll_ = seconds_now() + kPollSeconds;
   }
 }
 
@@ -134,7 +141,7 @@ void WindowLoop::build_frame() {
 
 void WindowLoop::draw_frame() {
   const auto start = std::chrono::steady_clock::now();
-  gui_.set_look(bench_.window.theme, bench_.window.zoom);
+  gui_.set_look(bench_.layout.theme, bench_.layout.ui_scale);
   gui_.begin_frame();
   try {
     build_frame();
@@ -157,7 +164,8 @@ void WindowLoop::draw_frame() {
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   FrameTimes& times = bench_.frame_times;
   times.last_ms = ms;
-  times.mean_ms = times.frames == 0 ? ms : times.mean_ms + kNewestShare * (ms - times.mean_ms);
+  times.mean_ms = times.frames < 2 ? ms :  // the first one loads meshes and makes textures
+                      times.mean_ms + kNewestShare * (ms - times.mean_ms);
   ++times.frames;
 }
 
@@ -167,10 +175,10 @@ void WindowLoop::take_requests() {
   if (requests.toggle_full_screen) window_.toggle_full_screen();
   if (requests.close) window_.close();
   const WindowSize size = window_.size();
-  bench_.window.maximised = window_.is_maximised();
-  if (window_.is_full_screen() || bench_.window.maximised || size.width_px < 1) return;
-  bench_.window.width = std::max(size.width_px, 480);
-  bench_.window.height = std::max(size.height_px, 320);
+  bench_.layout.maximised = window_.is_maximised();
+  if (window_.is_full_screen() || bench_.layout.maximised || size.width_px < 1) return;
+  bench_.layout.width_px = std::max(size.width_px, 480);
+  bench_.layout.height_px = std::max(size.height_px, 320);
 }
 
 void WindowLoop::take_screenshot() {

@@ -12,8 +12,8 @@
 namespace inkbench {
 
 struct WindowOptions {
-  std::optional<Settings> settings;  ///< Else those of the last session.
-  std::filesystem::path scene;       ///< What `settings` were loaded from.
+  std::optional<Settings> settings;  ///< To start with; without them the last session comes back.
+  std::filesystem::path scene;       ///< The file that they came from.
   std::string file;                  ///< To open at the start; may be empty.
   std::optional<WindowSize> size;    ///< Else as it was last.
   std::string state_file;            ///< Where to write what tests read; may be empty.

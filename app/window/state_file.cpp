@@ -22,6 +22,7 @@ Json view_of(const ViewState& view) {
             {"magnification", view.magnification},
             {"selected", name_of(view.selected)},
             {"filled", view.filled ? std::string(name_of(*view.filled)) : ""},
+            {"wireframe", view.wireframe},
             {"tool", view.tool == MouseTool::camera ? "camera" : "view"}};
   json["comparison"] = {{"active", view.comparison.active},
                         {"flips", view.comparison.flips},
@@ -50,10 +51,10 @@ Json pictures_of(const Workbench& bench) {
   return json;
 }
 
-Json window_of(const WindowParams& params) {
+Json layout_of(const WindowLayout& layout) {
   Json json = Json::object();
-  for (const Field& field : WindowParams::description().fields)
-    json[std::string(field.name)] = to_text(field.get(&params));
+  for (const Field& field : WindowLayout::description().fields)
+    json[std::string(field.name)] = to_text(field.get(&layout));
   return json;
 }
 
@@ -67,14 +68,23 @@ Json log_of(const MessageLog& log) {
 
 std::string state_text(const Workbench& bench) {
   Json json{{"scene", bench.scene_name()},
+            {"steps", bench.history().step_names()},
+            {"position", bench.history().position()},
             {"frames", bench.frame_times.frames},
             {"frame_ms", bench.frame_times.mean_ms},
             {"parameters", parameters_of(bench.settings())},
             {"view", view_of(bench.view)},
             {"passes", passes_of(bench)},
             {"pictures", pictures_of(bench)},
-            {"window", window_of(bench.window)},
+            {"layout", layout_of(bench.layout)},
             {"log", log_of(bench.log)}};
+  json["history"] = {{"steps", bench.history().step_names()}, {"position", bench.history().position()}};
+  json["bookmarks"] = Json::array();
+  for (const CameraBookmark& bookmark : bench.keeping.bookmarks())
+    json["bookmarks"].push_back({bookmark.name, bookmark.key});
+  json["recent"] = Json::array();
+  for (const std::filesystem::path& file : bench.keeping.recent()) json["recent"].push_back(file.string());
+  json["unsaved"] = bench.keeping.unsaved().size();
   json["problems"] = Json::array();
   for (const auto& [kind, text] : bench.problems()) json["problems"].push_back(text);
   json["ui"] = Json::object();

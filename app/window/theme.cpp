@@ -44,7 +44,7 @@ constexpr Palette kLight{
 };
 
 struct Current {
-  Palette theme = kDark;
+  Palette palette = kDark;
   float scale = 1.0F;
 };
 
@@ -113,17 +113,21 @@ void set_sizes(ImGuiStyle& style) {
 }  // namespace
 
 const Palette& theme() {
-  return current().theme;
+  return current().palette;
 }
 
-void apply_theme(ThemeName name, float scale) {
-  current() = {name == ThemeName::dark ? kDark : kLight, scale};
+void apply_theme(Theme name, float scale) {
+  current() = {name == Theme::dark ? kDark : kLight, scale};
   ImGuiStyle style;
   set_sizes(style);
-  set_colours(style, current().theme);
+  set_colours(style, current().palette);
   style.ScaleAllSizes(scale);
   style.PopupBorderSize = std::max(1.0F, std::floor(scale));
   ImGui::GetStyle() = style;
+}
+
+float text_scale() {
+  return current().scale;
 }
 
 float scaled(float length) {

@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "app/workbench/theme_name.h"
+#include "app/workbench/window_layout.h"
 
 namespace inkbench {
 
@@ -27,7 +27,10 @@ struct Palette {
 const Palette& theme();
 
 /// Sets the palette and ImGui's style for text `scale` times as large as usual.
-void apply_theme(ThemeName name, float scale);
+void apply_theme(Theme name, float scale);
+
+/// How many times the usual size text has.
+float text_scale();
 
 /// A length at the usual text size, in pixels of this display.
 float scaled(float length);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/window/word_list.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/log.h"
 #include "pipeline/scene/settings_file.h"
@@ -23,7 +24,7 @@ Settings checked(Settings settings) {
 
 Workbench::Workbench(const Session& session, Keeping& kept)
     : keeping(kept),
-      window(session.window),
+      layout(session.layout),
       history_(session.settings),
       origins_{origin_in(session.scene, session.settings)},
       wake_seconds_(kNever) {
@@ -102,7 +103,8 @@ void Workbench::refresh() {
   const Key state = drawn_state();
   if (failed_ == state) return;
   try {
-    pictures.refresh(settings(), wanted_buffers(), is_editing());
+    const bool hurry = is_editing() || frame_times.frames == 0;
+    pictures.refresh(settings(), wanted_buffers(), hurry);
     last_good_ = settings();
     failed_.reset();
     dismiss(ProblemKind::drawing);
@@ -130,6 +132,7 @@ bool Workbench::poll_files() {
   try {
     changed = pictures.pipeline().reload_changed_shaders();
     changed |= tiles.reload_if_changed();
+    changed |= wires.reload_if_changed();
     if (changed) {
       dismiss(ProblemKind::shader);
       tell(Severity::note, "shaders reloaded");
@@ -145,11 +148,11 @@ bool Workbench::poll_files() {
 }
 
 bool Workbench::is_listed(BufferName buffer) const {
-  return !has_word(window.hidden_buffers, name_of(buffer));
+  return !has_word(layout.hidden_buffers, name_of(buffer));
 }
 
 void Workbench::set_listed(BufferName buffer, bool listed) {
-  window.hidden_buffers = with_word(window.hidden_buffers, name_of(buffer), !listed);
+  layout.hidden_buffers = with_word(layout.hidden_buffers, name_of(buffer), !listed);
 }
 
 std::array<bool, kBufferCount> Workbench::wanted_buffers() const {

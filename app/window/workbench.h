@@ -16,9 +16,10 @@
 #include "app/window/tile.h"
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
+#include "app/window/wire_painter.h"
 #include "app/workbench/history.h"
 #include "app/workbench/opened_file.h"
-#include "app/workbench/window_params.h"
+#include "app/workbench/window_layout.h"
 #include "pipeline/scene/settings.h"
 
 namespace inkbench {
@@ -95,6 +96,8 @@ class Workbench {
   void refresh();
   /// Now and then: takes in edits of shaders, meshes and ramps on disk. Returns whether there were any.
   bool poll_files();
+  /// The settings of the pictures that are shown.
+  const std::optional<Settings>& drawn_settings() const { return last_good_; }
   /// The buffers that the sheet shows, or those that fill the window.
   std::array<bool, kBufferCount> wanted_buffers() const;
   bool is_listed(BufferName buffer) const;
@@ -115,7 +118,7 @@ class Workbench {
   double take_wake_seconds();
 
   Keeping& keeping;
-  WindowParams window;
+  WindowLayout layout;
   ViewState view;
   MessageLog log;
   UiMap ui_map;
@@ -126,6 +129,7 @@ class Workbench {
   PassTimer window_timer;  ///< Of the tiles and the window itself.
   Pictures pictures;
   TilePainter tiles;
+  WirePainter wires;
 
  private:
   /// Where settings came from.

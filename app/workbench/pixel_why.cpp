@@ -129,7 +129,7 @@ std::string object_name(int object, std::span<const std::string> names) {
 std::string step_text(const GradientStep& step, bool is_depth, std::span<const std::string> names) {
   std::string text =
       is_depth ? fmt::format("a step in depth from {} to {}", number(step.from_depth), number(step.to_depth))
-               : fmt::format("normals {:.0f} degrees apart", step.angle_deg);
+               : fmt::format("normals {:.3g} degrees apart", step.angle_deg);
   if (step.from_object != step.to_object) {
     text += fmt::format(" between {} and {}", object_name(step.from_object, names),
                         object_name(step.to_object, names));

@@ -35,13 +35,13 @@ class SessionReader {
         session.scene = text_of(node, key);
       } else if (key == "recent") {
         for (const TomlNode& item : items_of(node, key)) session.recent.emplace_back(text_of(item, key));
-      } else if (key == "window") {
-        read_struct(WindowParams::description(), &session.window, node, "session.window");
+      } else if (key == "layout") {
+        read_struct(WindowLayout::description(), &session.layout, node, "session.layout");
       } else if (key == "bookmark") {
         for (const TomlNode& item : items_of(node, key)) session.bookmarks.push_back(bookmark(item));
       } else {
         throw input_error(at(node), "unknown entry 'session." + key + "'",
-                          suggest(key, std::vector<std::string>{"scene", "recent", "window", "bookmark"}));
+                          suggest(key, std::vector<std::string>{"scene", "recent", "layout", "bookmark"}));
       }
     }
   }
@@ -135,8 +135,8 @@ std::string session_text(const Session& session) {
     if (is_utf8(path.string())) recent.push_back(path_text(path));
   }
   std::string text = "# inkbench session\n[session]\nscene = " + path_text(session.scene) + "\nrecent = [" +
-                     join(recent, ", ") + "]\n[session.window]\n" +
-                     struct_text(WindowParams::description(), &session.window);
+                     join(recent, ", ") + "]\n[session.layout]\n" +
+                     struct_text(WindowLayout::description(), &session.layout);
   for (const CameraBookmark& bookmark : session.bookmarks) {
     text += "[[session.bookmark]]\nname = " + to_text(Value(bookmark.name)) + "\n" +
             struct_text(CameraBookmark::description(), &bookmark) +

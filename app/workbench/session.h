@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/workbench/window_params.h"
+#include "app/workbench/window_layout.h"
 #include "pipeline/scene/settings.h"
 
 namespace inkbench {
@@ -23,7 +23,7 @@ struct CameraBookmark {
 struct Session {
   Settings settings;
   std::filesystem::path scene;  ///< The file that the settings started from; empty without one.
-  WindowParams window;
+  WindowLayout layout;
   std::vector<std::filesystem::path> recent;  ///< Newest first, each once, at most `kMaxRecent`.
   std::vector<CameraBookmark> bookmarks;      ///< At most `kMaxBookmarks`.
 };

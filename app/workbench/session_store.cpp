@@ -1,7 +1,6 @@
 #include "app/workbench/session_store.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -20,18 +19,8 @@ bool is_file(const fs::path& path) {
 
 SessionStore::SessionStore(fs::path folder) : folder_(std::move(folder)) {
   take_places();
-  std::vector<size_t> order(unsaved_.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](size_t a, size_t b) { return unsaved_[a].time > unsaved_[b].time; });
-  std::vector<UnsavedWork> work;
-  std::vector<Place> places;
-  for (const size_t i : order) {
-    work.push_back(std::move(unsaved_[i]));
-    places.push_back(std::move(unsaved_places_[i]));
-  }
-  unsaved_ = std::move(work);
-  unsaved_places_ = std::move(places);
+  std::sort(unsaved_.begin(), unsaved_.end(),
+            [](const UnsavedWork& a, const UnsavedWork& b) { return a.time > b.time; });
 }
 
 SessionStore::~SessionStore() = default;
@@ -63,8 +52,8 @@ void SessionStore::read_unsaved(Place place) {
   std::error_code error;
   const fs::file_time_type time = fs::last_write_time(place.file(), error);
   try {
-    unsaved_.push_back({parse_session(read_file(place.file()), place.file().string()), place.file(), time});
-    unsaved_places_.push_back(std::move(place));
+    Session session = parse_session(read_file(place.file()), place.file().string());
+    unsaved_.push_back({std::move(session), place.file(), time, std::move(place.lock)});
   } catch (const Error& cause) {
     put_aside(place.file(), cause.what());
     if (own_.lock == nullptr && !is_file(place.file())) own_ = std::move(place);
@@ -105,9 +94,8 @@ Session SessionStore::load() {
 
 void SessionStore::forget_unsaved(size_t index) {
   std::error_code error;
-  fs::remove(unsaved_places_.at(index).file(), error);
+  fs::remove(unsaved_.at(index).file, error);
   unsaved_.erase(unsaved_.begin() + static_cast<std::ptrdiff_t>(index));
-  unsaved_places_.erase(unsaved_places_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
 bool SessionStore::autosave(const Session& session) {

@@ -19,6 +19,7 @@ struct UnsavedWork {
   Session session;
   std::filesystem::path file;
   std::filesystem::file_time_type time;  ///< Of the last autosave.
+  std::unique_ptr<FolderLock> lock;      ///< So that no other window offers it too.
 };
 
 class SessionStore {
@@ -62,7 +63,6 @@ class SessionStore {
   std::filesystem::path folder_;
   Place own_;
   std::vector<UnsavedWork> unsaved_;
-  std::vector<Place> unsaved_places_;  ///< One for each of `unsaved_`.
   std::string last_text_;
   std::vector<std::string> notes_;
 };

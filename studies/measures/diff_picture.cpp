@@ -12,7 +12,7 @@ namespace inkbench {
 namespace {
 
 using Colour = std::array<uint8_t, 3>;
-constexpr Colour kMatched = {0, 0, 0}, kMissed = {0, 114, 178}, kFalse = {213, 94, 0}, kInk = {224, 224, 224};
+constexpr Colour kInk = {224, 224, 224};
 constexpr int kTextPx = 13, kSwatchPx = 12, kSpacePx = 6, kMarginPx = 8;
 
 struct LegendItem {
@@ -57,18 +57,18 @@ Picture diff_picture(const LineMap& prediction, const LineMap& reference, double
   const LineMap found = counted_lines(prediction), wanted = counted_lines(reference);
   const Matching matching = matched(found, wanted, tolerance_px);
   const int64_t false_count = found.count() - matching.pairs, missed_count = wanted.count() - matching.pairs;
-  const std::array<LegendItem, 3> items = {{{kMatched, "matched " + with_commas(matching.pairs)},
-                                            {kMissed, "missed " + with_commas(missed_count)},
-                                            {kFalse, "false " + with_commas(false_count)}}};
+  const std::array<LegendItem, 3> items = {{{kMatchedColour, "matched " + with_commas(matching.pairs)},
+                                            {kMissedColour, "missed " + with_commas(missed_count)},
+                                            {kFalseColour, "false " + with_commas(false_count)}}};
   int legend_width = kMarginPx;
   for (const LegendItem& item : items) legend_width += item.width_px();
   const int width = prediction.width_px(), height = prediction.height_px();
   const bool with_legend = legend_width <= width;
   Picture picture(width, height + (with_legend ? kDiffLegendHeightPx : 0), 3, 255);
   for_each_pixel(without_border(prediction), [&](int x, int y) { paint(picture, x, y, kInk); });
-  paint_lines(picture, found, matching.partner_of_a, true, kMatched);
-  paint_lines(picture, wanted, matching.partner_of_b, false, kMissed);
-  paint_lines(picture, found, matching.partner_of_a, false, kFalse);
+  paint_lines(picture, found, matching.partner_of_a, true, kMatchedColour);
+  paint_lines(picture, wanted, matching.partner_of_b, false, kMissedColour);
+  paint_lines(picture, found, matching.partner_of_a, false, kFalseColour);
   if (with_legend) draw_legend(picture, items, height);
   return picture;
 }

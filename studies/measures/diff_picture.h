@@ -2,6 +2,9 @@
 // RGB picture with a legend below it.
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "studies/measures/line_map.h"
 
 namespace inkbench {
@@ -14,5 +17,7 @@ namespace inkbench {
 Picture diff_picture(const LineMap& prediction, const LineMap& reference, double tolerance_px);
 
 inline constexpr int kDiffLegendHeightPx = 24;
+inline constexpr std::array<uint8_t, 3> kMatchedColour{0, 0, 0}, kMissedColour{0, 114, 178},
+    kFalseColour{213, 94, 0};
 
 }  // namespace inkbench

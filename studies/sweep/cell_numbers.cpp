@@ -5,39 +5,12 @@
 
 #include "pipeline/base/text.h"
 #include "studies/measures/measures.h"
+#include "studies/reference/measured_lines.h"
 
 namespace inkbench {
 namespace {
 
 constexpr int64_t kKeptDrawingsBytes = 64 << 20;
-
-LineMap drawn_lines(const Image& combined_edges) {
-  LineMap map(combined_edges.width_px, combined_edges.height_px);
-  for (int y = 0; y < map.height_px(); ++y) {
-    for (int x = 0; x < map.width_px(); ++x) {
-      if (combined_edges.at(x, y) > 0.0F) map.set(x, y);
-    }
-  }
-  return map;
-}
-
-/// Tier 1 without `object` lines, which are staircases along pixels: no measure of how straight ink is.
-std::vector<Polyline> lines_to_follow(const ReferenceLines& lines) {
-  std::vector<Polyline> result;
-  std::copy_if(lines.polylines.begin(), lines.polylines.end(), std::back_inserter(result),
-               [](const Polyline& line) {
-                 return tier(line.line_class) == 1 && line.line_class != LineClass::object;
-               });
-  return result;
-}
-
-LineView line_view(const ReferenceLines& lines) {
-  LineMap outline = class_map(lines, LineClass::silhouette);
-  for (const LineClass line_class : {LineClass::boundary, LineClass::object}) {
-    outline = united(outline, class_map(lines, line_class));
-  }
-  return {{}, tier_map(lines, 1), tier_map(lines, 2), outline};
-}
 
 std::string optional_text(const std::optional<double>& value) {
   return value ? shortest(*value) : "";
@@ -99,7 +72,7 @@ void CellMeter::add_ladder(const Settings& settings, size_t view, LineView& leve
   Settings full = settings;
   full.mesh = MeshParams{};
   const LineView& full_lines = full_views_[view].get(buffers_.reference_key(full),
-                                                     [&] { return line_view(buffers_.reference(full)); });
+                                                     [&] { return line_view({}, buffers_.reference(full)); });
   if (wants_ladder_) tally.ladder = tally_against_full(level, full_lines);
   if (!wants_inner_) return;
   LineView full_view = full_lines;
@@ -118,15 +91,8 @@ CellTally CellMeter::tally(const Settings& settings, size_t view) {
     tally.faces = meshes.get(settings.models[*model], level_of(settings, *model)).face_count();
   }
   const ReferenceLines& lines = buffers_.reference(settings);
-  LineView level = line_view(lines);
-  level.drawn = drawn_lines(edges);
-  if (wants_lines_) {
-    const std::vector<Polyline> followed = lines_to_follow(lines);
-    tally.lines = tally_lines({.prediction = level.drawn,
-                               .reference = level.wanted,
-                               .allowed = &level.allowed,
-                               .polylines = followed});
-  }
+  LineView level = line_view(drawn_lines(edges), lines);
+  if (wants_lines_) tally.lines = tally_view(level, lines);
   for (size_t i = 0; i < kLineClasses.size(); ++i) {
     if (!wants("recall_" + std::string(kLineClassNames[i]))) continue;
     tally.recall[i] = tally_recall(level.drawn, class_map(lines, kLineClasses[i]), kTolerancePx);

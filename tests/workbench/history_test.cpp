@@ -169,7 +169,7 @@ TEST(History, whole_scenes_are_held_to_a_limit_of_bytes) {
   Settings many = paper_settings();
   for (int i = 0; i < 1000; ++i) many.models.emplace_back().name = "m" + std::to_string(i);
   History history(paper_settings(), {.bytes = size_t{2} << 20});
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 30; ++i) {
     history.record(many);
     many.models.pop_back();
   }

@@ -171,7 +171,7 @@ TEST_F(SessionStoreTest, several_crashes_are_offered_newest_first) {
 }
 
 TEST_F(SessionStoreTest, a_damaged_session_is_put_aside_and_does_not_block) {
-  for (const char* damage : {"", "[[", "[combine]\nk_depth = 99\n", "\xff\xfe", "[session]\nwindow = 3\n"}) {
+  for (const char* damage : {"", "[[", "[combine]\nk_depth = 99\n", "\xff\xfe", "[session]\nlayout = 3\n"}) {
     const bool is_damaged = *damage != '\0';
     folder_.write("session.toml", damage);
     SessionStore store(path());

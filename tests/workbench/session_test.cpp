@@ -14,12 +14,12 @@ using ::testing::StartsWith;
 Session busy_session() {
   Session session = first_session();
   session.settings.combine.k_depth = 0.1F / 3.0F;
-  session.window = {.width = 1000,
+  session.layout = {.width_px = 1000,
                     .maximised = true,
-                    .left = 300,
-                    .show_bottom = false,
+                    .left = 0.3F,
+                    .show_log = false,
                     .left_tab = LeftTab::history,
-                    .theme = ThemeName::light};
+                    .theme = Theme::light};
   session.recent = {"/a/b.toml", "/with \"quotes\"/ü.png"};
   session.bookmarks = {{"front", 1, {}}, {"front", 0, {.eye = {1, 2, 3}, .fov = 60}}, {"", 9, {}}};
   return session;
@@ -32,7 +32,7 @@ TEST(Session, comes_back_equal) {
   EXPECT_EQ(text(again.settings), text(session.settings));
   EXPECT_EQ(again.scene, session.scene);
   EXPECT_EQ(again.recent, session.recent);
-  EXPECT_EQ(again.window, session.window);
+  EXPECT_EQ(again.layout, session.layout);
   ASSERT_THAT(again.bookmarks, SizeIs(3));
   EXPECT_EQ(again.bookmarks[1].name, "front");
   EXPECT_EQ(again.bookmarks[0].key, 1);
@@ -43,13 +43,13 @@ TEST(Session, comes_back_equal) {
 TEST(Session, a_first_one_is_the_papers_scene) {
   EXPECT_EQ(text(first_session().settings), text(paper_settings()));
   EXPECT_EQ(first_session().scene, project_file("data/scenes/paper.toml"));
-  EXPECT_TRUE(first_session().window.keys_page);
+  EXPECT_TRUE(first_session().layout.show_welcome);
 }
 
 TEST(Session, what_it_leaves_out_has_its_default) {
-  const Session session = parse_session("[session.window]\nwidth = 640\n", "s");
-  EXPECT_EQ(session.window.width, 640);
-  EXPECT_EQ(session.window.height, WindowParams{}.height);
+  const Session session = parse_session("[session.layout]\nwidth_px = 640\n", "s");
+  EXPECT_EQ(session.layout.width_px, 640);
+  EXPECT_EQ(session.layout.height_px, WindowLayout{}.height_px);
   EXPECT_EQ(text(session.settings), text(Settings{}));
 }
 
@@ -62,9 +62,9 @@ TEST(Session, what_is_broken_is_named_by_line) {
   EXPECT_THAT(error("[session]\nscene = 1"), StartsWith("s.toml:2: scene is a number"));
   EXPECT_THAT(error("[session]\nrecent = 1"), StartsWith("s.toml:2: recent is a number"));
   EXPECT_THAT(error("session = 1"), StartsWith("s.toml:1: session is a number"));
-  EXPECT_THAT(error("[session.window]\nwidth = 5"), StartsWith("s.toml:2: session.window.width = 5"));
-  EXPECT_THAT(error("[session.window]\ntheme = \"grey\""), HasSubstr("one of: dark, light"));
-  EXPECT_THAT(error("[session.window]\nzoo = 1"), StartsWith("s.toml:2: unknown entry 'session.window.zoo'"));
+  EXPECT_THAT(error("[session.layout]\nwidth_px = 5"), StartsWith("s.toml:2: session.layout.width_px = 5"));
+  EXPECT_THAT(error("[session.layout]\ntheme = \"grey\""), HasSubstr("one of: dark, light"));
+  EXPECT_THAT(error("[session.layout]\nzoo = 1"), StartsWith("s.toml:2: unknown entry 'session.layout.zoo'"));
   EXPECT_THAT(error("[[session.bookmark]]\nfov = 500"), StartsWith("s.toml:2: session.bookmark.fov = 500"));
   EXPECT_THAT(error("[[session.bookmark]]\nkey = 10"), StartsWith("s.toml:2: session.bookmark.key = 10"));
   EXPECT_THAT(error("[session]\n[combine]\nk_depth = 9"), StartsWith("s.toml:3: combine.k_depth = 9"));

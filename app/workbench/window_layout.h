@@ -1,0 +1,46 @@
+// How the workbench window is laid out: sizes, dividers, open panels, theme. Described like a parameter
+// group, so that the session file, its checks and menus are visitors over it.
+#pragma once
+
+#include <string>
+
+#include "pipeline/params/description.h"
+
+namespace inkbench {
+
+enum class Theme { dark, light };
+template <>
+struct ChoiceNames<Theme> {
+  static constexpr std::array<std::string_view, 2> names{"dark", "light"};
+};
+
+/// What the panel on the left shows.
+enum class LeftTab { parameters, presets, history, views };
+template <>
+struct ChoiceNames<LeftTab> {
+  static constexpr std::array<std::string_view, 4> names{"parameters", "presets", "history", "views"};
+};
+
+struct WindowLayout {
+  int width_px = 1280;
+  int height_px = 800;
+  bool maximised = false;
+  float left = 0.24F;
+  float right = 0.22F;
+  float bottom = 0.21F;
+  bool show_parameters = true;
+  bool show_inspector = true;
+  bool show_timings = true;
+  bool show_log = true;
+  bool show_welcome = true;
+  LeftTab left_tab = LeftTab::parameters;
+  Theme theme = Theme::dark;
+  float ui_scale = 0.0F;
+  std::string open_groups = "mesh ramp combine ink";
+  std::string hidden_buffers;
+
+  static const Description& description();
+  bool operator==(const WindowLayout&) const = default;
+};
+
+}  // namespace inkbench

@@ -1,0 +1,207 @@
+// Measuring in the background: the same numbers as in the foreground, the newest request wins, nothing
+// blocks.
+#include "app/workbench/live_judge.h"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <glm/trigonometric.hpp>
+
+#include "studies/measures/diff_picture.h"
+#include "studies/reference/measured_lines.h"
+#include "tests/workbench/support.h"
+
+namespace inkbench {
+namespace {
+
+using ::testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+
+/// A circle of `radius` as silhouette, and a crease across.
+std::shared_ptr<const ReferenceLines> circle_lines(int size_px, float radius) {
+  auto lines = std::make_shared<ReferenceLines>();
+  lines->width_px = lines->height_px = size_px;
+  const float middle = static_cast<float>(size_px) / 2;
+  Polyline circle{LineClass::silhouette, 1, {}};
+  for (int i = 0; i <= 360; ++i) {
+    const float angle = glm::radians(static_cast<float>(i % 360));
+    circle.points.emplace_back(middle + radius * std::cos(angle), middle + radius * std::sin(angle));
+  }
+  const Polyline crease{LineClass::crease, 1, {{middle - radius, middle}, {middle + radius, middle}}};
+  lines->polylines = {circle, crease};
+  lines->whole_creases = {crease};
+  return lines;
+}
+
+/// Edges along some of the lines.
+std::shared_ptr<const Image> edges_along(const ReferenceLines& lines,
+                                         std::initializer_list<LineClass> classes) {
+  auto edges = std::make_shared<Image>(lines.width_px, lines.height_px, 1);
+  for (const LineClass line_class : classes) {
+    for_each_pixel(class_map(lines, line_class), [&](int x, int y) { edges->at(x, y) = 1.0F; });
+  }
+  return edges;
+}
+
+JudgeRequest request(uint64_t id, int size_px = 96) {
+  const auto lines = circle_lines(size_px, static_cast<float>(size_px) / 3);
+  return {.id = id, .view = {edges_along(*lines, {LineClass::silhouette}), lines}};
+}
+
+/// Waits for a result; none after half a minute.
+std::optional<Judgement> wait_for(LiveJudge& live) {
+  const auto end = Clock::now() + std::chrono::seconds(30);
+  while (Clock::now() < end) {
+    if (std::optional<Judgement> result = live.poll()) return result;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return std::nullopt;
+}
+
+TEST(Judge, equals_the_measures_of_a_study) {
+  const JudgeRequest asked = request(7);
+  const Judgement result = judge(asked);
+  const LineView view = line_view(drawn_lines(*asked.view.edges), *asked.view.lines);
+  EXPECT_EQ(measures_json(result.measures), measures_json(measure_view(view, *asked.view.lines)));
+  EXPECT_EQ(result.id, 7U);
+  EXPECT_EQ(result.error, "");
+  EXPECT_GT(result.seconds, 0);
+  EXPECT_EQ(result.measures.precision, 1.0);
+  EXPECT_LT(result.measures.recall, 0.95) << "the crease is not drawn";
+  EXPECT_EQ(result.recall[static_cast<size_t>(LineClass::silhouette)], 1.0);
+  EXPECT_LT(*result.recall[static_cast<size_t>(LineClass::crease)], 0.2);
+  EXPECT_FALSE(result.recall[static_cast<size_t>(LineClass::valley)]);
+  EXPECT_FALSE(result.ladder);
+}
+
+TEST(Judge, compares_with_the_full_mesh_where_it_is_given) {
+  JudgeRequest asked = request(1);
+  asked.full = asked.view;
+  const Judgement same = judge(asked);
+  ASSERT_TRUE(same.ladder);
+  EXPECT_EQ(same.ladder->f1_geometry, 1.0);
+  EXPECT_EQ(same.ladder->f1_end_to_end, same.measures.f1);
+}
+
+TEST(Judge, maps_show_what_the_measures_count) {
+  const auto lines = circle_lines(96, 30);
+  auto edges = std::make_shared<Image>(*edges_along(*lines, {LineClass::silhouette}));
+  for (int x = 10; x < 86; ++x) edges->at(x, 6) = 1.0F;  // a line where none should be
+  const Judgement result = judge({.view = {edges, lines}});
+  EXPECT_EQ(result.maps.matched.count(), result.measures.matched);
+  EXPECT_EQ(result.maps.missed.count(), result.measures.referenced - result.measures.matched);
+  EXPECT_EQ(result.maps.wrong.count(), result.measures.predicted - result.measures.matched);
+  EXPECT_TRUE(result.maps.wrong.at(40, 6));
+  const Picture overlay = match_overlay(result.maps);
+  EXPECT_EQ(overlay.at(40, 6, 0), kFalseColour[0]);
+  EXPECT_EQ(overlay.at(40, 6, 3), 255);
+  EXPECT_EQ(overlay.at(48, 20, 3), 0);
+  EXPECT_EQ(overlay.at(48, 48, 2), kMissedColour[2]) << "the crease";
+}
+
+TEST(Judge, lines_of_tier_2_are_neither_right_nor_wrong) {
+  auto lines = std::make_shared<ReferenceLines>(*circle_lines(96, 30));
+  lines->polylines.push_back({LineClass::ridge, 1, {{10.5F, 6.5F}, {85.5F, 6.5F}}});
+  const auto edges = edges_along(*lines, {LineClass::silhouette, LineClass::ridge});
+  const Judgement result = judge({.view = {edges, lines}});
+  EXPECT_EQ(result.maps.wrong.count(), 0);
+  EXPECT_GT(result.maps.allowed.count(), 60);
+  EXPECT_EQ(result.measures.precision, 1.0);
+}
+
+TEST(Judge, what_does_not_fit_together_is_an_error) {
+  JudgeRequest other_size = request(1);
+  other_size.view.lines = circle_lines(64, 20);
+  EXPECT_THAT(error_of([&] { judge(other_size); }), HasSubstr("96 x 96 against 64 x 64"));
+  error_of([&] { judge({}); });
+  JudgeRequest tolerance = request(1);
+  tolerance.tolerance_px = std::nan("");
+  EXPECT_THAT(error_of([&] { judge(tolerance); }), HasSubstr("give 0 to 100"));
+}
+
+TEST(LiveJudge, gives_each_result_once) {
+  std::atomic<int> woken = 0;
+  LiveJudge live([&] { ++woken; });
+  EXPECT_FALSE(live.poll());
+  EXPECT_FALSE(live.is_busy());
+  live.submit(request(3));
+  const std::optional<Judgement> result = wait_for(live);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->id, 3U);
+  EXPECT_EQ(measures_json(result->measures), measures_json(judge(request(3)).measures));
+  EXPECT_FALSE(live.poll());
+  const auto end = Clock::now() + std::chrono::seconds(30);
+  while (woken == 0 && Clock::now() < end) std::this_thread::yield();
+  EXPECT_EQ(woken, 1);
+}
+
+TEST(LiveJudge, errors_come_back_as_results_and_the_next_request_works) {
+  LiveJudge live;
+  JudgeRequest bad = request(1);
+  bad.view.lines = circle_lines(64, 20);
+  live.submit(bad);
+  const std::optional<Judgement> result = wait_for(live);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->id, 1U);
+  EXPECT_THAT(result->error, HasSubstr("must have one size"));
+  live.submit(request(2));
+  const std::optional<Judgement> next = wait_for(live);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->error, "");
+}
+
+TEST(LiveJudge, the_newest_request_wins_and_submitting_never_waits) {
+  LiveJudge live;
+  const JudgeRequest large = request(0, 512);
+  const double seconds_alone = judge(large).seconds;
+  constexpr int kRequests = 2000;
+  const auto start = Clock::now();
+  for (int i = 1; i <= kRequests; ++i) {
+    JudgeRequest next = large;
+    next.id = static_cast<uint64_t>(i);
+    live.submit(std::move(next));
+  }
+  const double submitting = std::chrono::duration<double>(Clock::now() - start).count();
+  EXPECT_LT(submitting, kRequests * seconds_alone / 10) << "as if each were measured before the next";
+  uint64_t last = 0;
+  int results = 0;
+  while (last < kRequests) {
+    const std::optional<Judgement> result = wait_for(live);
+    ASSERT_TRUE(result);
+    EXPECT_GT(result->id, last) << "results are in order";
+    last = result->id;
+    ++results;
+  }
+  EXPECT_EQ(last, kRequests);
+  EXPECT_LT(results, kRequests / 10) << "the others were replaced";
+  EXPECT_FALSE(live.is_busy());
+}
+
+TEST(LiveJudge, ends_without_starting_what_waits) {
+  std::atomic<int> results = 0;
+  std::promise<void> first_is_done;
+  std::promise<void> may_go_on;
+  auto live = std::make_unique<LiveJudge>([&] {
+    if (++results > 1) return;
+    first_is_done.set_value();
+    may_go_on.get_future().wait();
+  });
+  live->submit(request(1));
+  first_is_done.get_future().wait();
+  live->submit(request(2));
+  std::thread closer([&] { live.reset(); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the closer waits for the worker by now
+  may_go_on.set_value();
+  closer.join();
+  EXPECT_EQ(results, 1);
+}
+
+TEST(LiveJudge, a_stopped_judgement_skips_the_rest) {
+  const Judgement result = judge(request(1), [] { return true; });
+  EXPECT_EQ(result.maps.matched.width_px(), 0);
+  EXPECT_FALSE(result.recall[0]);
+}
+
+}  // namespace
+}  // namespace inkbench
