@@ -94,11 +94,8 @@ void FileChooser::draw_path(Workbench& bench) {
       ImGui::InputTextWithHint("##path", "Type or paste a path", &path_text_,
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   bench.ui_map.mark_item("path");
-  if (entered && selected_ && path_text_ == listing_.folder.string()) {
-    activate(bench, path_of(listing_.entries[*selected_]));
-  } else if (entered) {
-    activate(bench, path_from_text(path_text_, shows_recent_ ? working_folder() : listing_.folder));
-  }
+  if (entered && path_text_ != listing_.folder.string()) selected_.reset();
+  if (entered) open_chosen(bench);
   ImGui::SameLine();
   if (ImGui::Button("Up") && !shows_recent_) go_to(bench, listing_.folder.parent_path());
   bench.ui_map.mark_item("chooser:up");
@@ -217,8 +214,15 @@ void FileChooser::draw_buttons(Workbench& bench) {
     ImGui::NewLine();
   }
   if (accepts && question_.saves && !question_.name.empty()) choose(listing_.folder / question_.name);
-  if (accepts && !question_.saves && selected_) activate(bench, path_of(listing_.entries[*selected_]));
+  if (accepts && !question_.saves) open_chosen(bench);
   if (cancels) ImGui::CloseCurrentPopup();
+}
+
+/// What is selected in the list, else what was typed.
+void FileChooser::open_chosen(Workbench& bench) {
+  if (selected_) return activate(bench, path_of(listing_.entries[*selected_]));
+  const fs::path typed = path_from_text(path_text_, shows_recent_ ? working_folder() : listing_.folder);
+  if (typed != listing_.folder) activate(bench, typed);
 }
 
 std::optional<fs::path> FileChooser::draw(Workbench& bench, const std::function<void()>& extras) {

@@ -25,7 +25,7 @@ constexpr std::array kPictures{
     Entry{"F, Z", "fit; one to one"},
     Entry{"C, Space", "compare two; flip between them"},
     Entry{"P", "pin this state to compare with"},
-    Entry{"W", "the meshes' triangles over the pictures"},
+    Entry{"W", "show the meshes' triangles"},
     Entry{"Right click", "save it, copy its command"},
 };
 
@@ -46,15 +46,19 @@ constexpr std::array kCamera{
     Entry{"Home", "fit the scene; with Shift the model"},
 };
 
+constexpr std::array kFiles{
+    Entry{"Ctrl+Z, Ctrl+Y", "undo; redo (or Ctrl+Shift+Z)"},
+    Entry{"Ctrl+O", "open a file; or drop it here"},
+    Entry{"Ctrl+S", "save settings; with Shift elsewhere"},
+    Entry{"Ctrl+E", "save a picture"},
+    Entry{"Ctrl+Shift+C", "copy the command that draws this"},
+    Entry{"Ctrl+V", "open a copied path; take settings"},
+};
+
 constexpr std::array kWindow{
     Entry{"Tab", "pictures alone; again for all panels"},
-    Entry{"Ctrl+Z, Ctrl+Y", "undo; redo (also Ctrl+Shift+Z)"},
-    Entry{"Ctrl+S", "save the settings; with Shift elsewhere"},
-    Entry{"Ctrl+E", "save a picture"},
-    Entry{"Ctrl+Shift+C", "copy as an `inkbench render` command"},
-    Entry{"Ctrl+V", "open the copied path, take copied settings"},
     Entry{"F11, F12", "full screen; save a screenshot"},
-    Entry{"Ctrl+O, Ctrl+Q", "open a file; quit"},
+    Entry{"Ctrl+Q", "quit"},
     Entry{"F1", "this page"},
 };
 
@@ -82,15 +86,16 @@ void draw_list(const char* title, const std::array<Entry, kCount>& entries) {
 
 void draw_columns() {
   const float width = (ImGui::GetContentRegionAvail().x - scaled(24)) / 2;
-  const float height = scaled(404);
+  const float height = scaled(430);
   ImGui::BeginChild("left", {width, height});
   draw_list("Pictures", kPictures);
-  draw_list("Window", kWindow);
+  draw_list("Parameters", kParameters);
   ImGui::EndChild();
   ImGui::SameLine(0, scaled(24));
   ImGui::BeginChild("right", {width, height});
-  draw_list("Parameters", kParameters);
+  draw_list("Undo and files", kFiles);
   draw_list("Camera", kCamera);
+  draw_list("Window", kWindow);
   ImGui::EndChild();
 }
 

@@ -106,7 +106,7 @@ void PresetsPanel::draw_list(Workbench& bench, float height) {
     }
     bench.ui_map.mark_item("preset=" + name);
     draw_fitted_text(*ImGui::GetWindowDrawList(), {place.x + scaled(4), place.y}, width - scaled(8),
-                     is_scene ? theme().accent : theme().text, name);
+                     is_scene && name != selected_ ? theme().accent : theme().text, name);
   }
   ImGui::EndChild();
 }

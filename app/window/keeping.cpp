@@ -90,6 +90,7 @@ void Keeping::restore(Workbench& bench) {
   if (unsaved().empty()) return;
   const Session session = unsaved().front().session;
   if (!bench.take_over(session.settings, session.scene, "restore unsaved work")) return;
+  bench.layout = session.layout;
   if (!session.bookmarks.empty()) set_bookmarks(session.bookmarks);
   save_now(bench);  // before the old autosave goes
   discard();

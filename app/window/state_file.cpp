@@ -78,7 +78,6 @@ std::string state_text(const Workbench& bench) {
             {"pictures", pictures_of(bench)},
             {"layout", layout_of(bench.layout)},
             {"log", log_of(bench.log)}};
-  json["history"] = {{"steps", bench.history().step_names()}, {"position", bench.history().position()}};
   json["bookmarks"] = Json::array();
   for (const CameraBookmark& bookmark : bench.keeping.bookmarks())
     json["bookmarks"].push_back({bookmark.name, bookmark.key});

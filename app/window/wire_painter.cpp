@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/vec3.hpp>
 
 #include "pipeline/gl/context.h"
 #include "pipeline/gl/framebuffer.h"
@@ -45,12 +46,10 @@ void clip_to_picture(const WireView& view, const ImageParams& image) {
   glScissor(x, y, inside(right, view.width_px) - x, view.height_px - inside(top, view.height_px) - y);
 }
 
-/// Dense meshes would cover the picture: their lines fade.
-float opacity(std::span<const DrawItem> items, const WireView& view, const ImageParams& image) {
-  size_t faces = 1;
-  for (const DrawItem& item : items) faces = std::max(faces, item.mesh->face_count());
+/// The lines of dense meshes would cover the picture: they fade.
+float opacity(const GpuMesh& mesh, const WireView& view, const ImageParams& image) {
   const double area = image.width * image.height / (view.place.step * view.place.step);
-  const double edge_px = std::sqrt(area / static_cast<double>(faces));
+  const double edge_px = std::sqrt(area / static_cast<double>(std::max<size_t>(mesh.face_count(), 1)));
   return static_cast<float>(std::clamp(edge_px / 10.0, 0.3, 0.85));
 }
 
@@ -72,10 +71,9 @@ Texture WirePainter::run(Pipeline& pipeline, const Settings& settings, const Wir
   const float aspect = static_cast<float>(settings.image.width) / static_cast<float>(settings.image.height);
   const glm::mat4 world_to_tile = picture_to_tile(view, settings.image) *
                                   projection_matrix(settings.camera, aspect) * view_matrix(settings.camera);
-  glm::vec4 colour = view.colour;
-  colour.w *= opacity(items, view, settings.image);
   const auto draw_all = [&] {
     for (const DrawItem& item : items) {
+      const glm::vec4 colour(glm::vec3(view.colour), opacity(*item.mesh, view, settings.image));
       const WireBlock block{world_to_tile * item.model_to_world, colour};
       const Buffer uniforms("wire block", bytes_of(std::span(&block, 1)));
       bind_uniform_blocks({&uniforms});
