@@ -1,7 +1,7 @@
 #include "app/panels/keep_shortcuts.h"
 
 #include <GLFW/glfw3.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/panels/file_dialogs.h"
 #include "app/panels/shortcuts.h"
@@ -60,6 +60,10 @@ bool view_keys(Workbench& bench, bool control, bool shift) {
 bool handle_keep_shortcuts(Workbench& bench) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (popup && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false) && ImGui::GetTopMostPopupModal() == nullptr) {
+    ImGui::ClosePopupToLevel(0, true);  // menus; dialogs close themselves
+    return true;
+  }
   if (popup || io.KeyAlt) return false;
   if (io.KeyCtrl && file_keys(bench, io.KeyShift)) return true;
   if (io.WantTextInput) return false;

@@ -78,11 +78,12 @@ class AppKeep : public AppTest {
     EXPECT_EQ(wait_for_end(), -1);
   }
 
-  void wait_for_autosave() const {
-    const fs::path file_path = file("config") / "inkbench/windows/1/autosave.toml";
-    for (int i = 0; i < 500 && !fs::exists(file_path); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    ASSERT_TRUE(fs::exists(file_path));
+  /// Until the autosave has that value.
+  void wait_for_autosave(const std::string& k) const {
+    const fs::path autosave = file("config") / "inkbench/windows/1/autosave.toml";
+    const auto saved = [&] { return bytes_of(autosave).find("k_normal = " + k + "\n") != std::string::npos; };
+    for (int i = 0; i < 500 && !saved(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ASSERT_TRUE(saved());
   }
 };
 
@@ -134,7 +135,7 @@ TEST_F(AppKeep, session_comes_back_at_the_next_start) {
 TEST_F(AppKeep, work_of_a_killed_window_is_offered_and_restored) {
   open();
   const std::string k = pull(0.2, 1);
-  wait_for_autosave();
+  wait_for_autosave(k);
   kill_program();
   open(kNoArguments);
   EXPECT_EQ(state()["unsaved"], 1);
@@ -149,8 +150,7 @@ TEST_F(AppKeep, work_of_a_killed_window_is_offered_and_restored) {
 
 TEST_F(AppKeep, work_of_a_killed_window_can_be_discarded) {
   open();
-  pull(0.2, 1);
-  wait_for_autosave();
+  wait_for_autosave(pull(0.2, 1));
   kill_program();
   open(kNoArguments);
   const std::string before = k_normal(state());
@@ -210,14 +210,15 @@ TEST_F(AppKeep, an_exported_picture_brings_its_parameters_back) {
 
 TEST_F(AppKeep, every_kind_of_file_does_its_own_and_a_bad_one_nothing) {
   open();
-  write("ramp.toml", "stops = [[0, 1, 0, 0, true], [1, 0, 0, 1, false]]\n");
-  const std::string ramp = parameter(state(), "ramp.diffuse");
-  const CommandResult mesh = run_command({INKBENCH_EXECUTABLE, "decimate", "--help"}, {});
-  ASSERT_EQ(mesh.status, 0);
   write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
   open_by_dialog(file("t.obj"));
   wait_for("the mesh", [&](const Json& now) {
     return parameter(now, "model.ball.mesh").find("t.obj") != std::string::npos;
+  });
+  write("ramp.toml", "stops = [{position = 0, colour = 1}, {position = 1, colour = [0, 0, 1]}]\n");
+  open_by_dialog(file("ramp.toml"));
+  wait_for("the ramp", [&](const Json& now) {
+    return now["steps"].size() == 2 && now["steps"][1] == "diffuse ramp from ramp.toml";
   });
   write("bad.toml", "[combine]\nk_norml = 1\n");
   const Json before = settled();
