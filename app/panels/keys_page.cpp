@@ -106,14 +106,12 @@ void draw_keys_page(Workbench& bench) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(screen);
-  ImGui::SetNextWindowFocus();
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 110));
   ImGui::Begin("behind the keys", nullptr, kFlags);
   if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
     bench.layout.show_welcome = false;
   ImGui::End();
   ImGui::PopStyleColor();
-  ImGui::SetNextWindowFocus();
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSize({std::min(scaled(860), screen.x - scaled(20)), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(26), scaled(20)));

@@ -1,5 +1,7 @@
 #include "app/window/state_file.h"
 
+#include <imgui.h>
+
 #include <nlohmann/json.hpp>
 
 #include "pipeline/scene/settings_file.h"
@@ -42,11 +44,13 @@ Json passes_of(const Workbench& bench) {
   return json;
 }
 
-Json pictures_of(const Workbench& bench) {
+/// The keys of the pictures; nothing for the pinned ones where no state is pinned.
+Json pictures_of(const Workbench& bench, bool pinned) {
   Json json = Json::object();
   for (size_t i = 0; i < kBufferCount; ++i) {
     const auto buffer = static_cast<BufferName>(i);
-    json[std::string(name_of(buffer))] = bench.pictures.shown(buffer, false).key.text();
+    const ShownPicture& shown = bench.pictures.shown(buffer, pinned);
+    if (!pinned || shown.texture != nullptr) json[std::string(name_of(buffer))] = shown.key.text();
   }
   return json;
 }
@@ -69,13 +73,15 @@ Json log_of(const MessageLog& log) {
 std::string state_text(const Workbench& bench) {
   Json json{{"scene", bench.scene_name()},
             {"steps", bench.history().step_names()},
+            {"text_field", ImGui::GetIO().WantTextInput},
             {"position", bench.history().position()},
             {"frames", bench.frame_times.frames},
             {"frame_ms", bench.frame_times.mean_ms},
             {"parameters", parameters_of(bench.settings())},
             {"view", view_of(bench.view)},
             {"passes", passes_of(bench)},
-            {"pictures", pictures_of(bench)},
+            {"pictures", pictures_of(bench, false)},
+            {"pinned", pictures_of(bench, true)},
             {"layout", layout_of(bench.layout)},
             {"log", log_of(bench.log)}};
   json["bookmarks"] = Json::array();

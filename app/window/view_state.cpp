@@ -12,6 +12,12 @@ double fit_magnification(const TileFrame& frame) {
   return std::min(frame.width / frame.picture_width, frame.height / frame.picture_height);
 }
 
+/// From a quarter of the fitted size, or one to one where that is smaller, to `kLargestPixel`.
+double allowed_zoom(double zoom, const TileFrame& frame) {
+  const double one_to_one = 1.0 / std::max(fit_magnification(frame), 1e-6);
+  return std::clamp(zoom, std::min(kSmallestZoom, one_to_one), std::max(1.0, kLargestPixel * one_to_one));
+}
+
 /// Keeps the picture in sight: in the middle where it is smaller than the tile, else without a gap.
 double kept_in_sight(double centre, double shown_share) {
   if (shown_share >= 1.0) return 0.5;
@@ -38,8 +44,7 @@ PicturePoint point_under(const ViewState& view, const TileFrame& frame, double w
 
 void zoom_about(ViewState& view, const TileFrame& frame, double window_x, double window_y, double factor) {
   const PicturePoint before = point_under(view, frame, window_x, window_y);
-  const double largest = std::max(1.0, kLargestPixel / std::max(fit_magnification(frame), 1e-6));
-  view.zoom = std::clamp(view.zoom * factor, kSmallestZoom, largest);
+  view.zoom = allowed_zoom(view.zoom * factor, frame);
   const PicturePoint after = point_under(view, frame, window_x, window_y);
   view.centre_x += (before.x - after.x) / frame.picture_width;
   view.centre_y += (before.y - after.y) / frame.picture_height;
@@ -54,7 +59,7 @@ void pan_by(ViewState& view, const TileFrame& frame, double dx, double dy) {
 }
 
 void set_magnification(ViewState& view, const TileFrame& frame, double size) {
-  view.zoom = std::max(size / std::max(fit_magnification(frame), 1e-6), kSmallestZoom);
+  view.zoom = allowed_zoom(size / std::max(fit_magnification(frame), 1e-6), frame);
   keep_in_sight(view, frame);
 }
 

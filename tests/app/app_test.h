@@ -1,0 +1,80 @@
+// A real window under a test: the program in a folder of its own, real mouse and keyboard events from
+// xdotool, and what the window says of itself in its state file.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/unit/support.h"
+
+namespace inkbench {
+
+using Json = nlohmann::json;
+
+class AppTest : public testing::Test {
+ protected:
+  AppTest();
+  ~AppTest() override;
+
+  /// Opens the window at 1100 x 720 with a small scene of plain shapes and waits until it rests; the page of
+  /// keys is closed unless it is what the test is about.
+  void open(bool close_keys_page = true);
+  /// The same with other arguments than the scene's.
+  void open_with(const std::vector<std::string>& arguments, bool close_keys_page = true);
+  /// Waits for the program's end; its exit status, or -1 for another end.
+  int wait_for_end();
+  /// By the keyboard; expects status 0.
+  void quit();
+
+  /// What the window says now.
+  Json state() const;
+  /// Waits until `holds` is true of the state, which is returned. Throws after 20 s.
+  Json wait_for(const std::string& what, const std::function<bool(const Json&)>& holds);
+  /// Waits until nothing has changed for a moment.
+  Json settled();
+
+  std::string parameter(const Json& state, const std::string& key) const {
+    return state.at("parameters").at(key).get<std::string>();
+  }
+  /// "" without one.
+  std::string first_problem(const Json& state) const {
+    return state.at("problems").empty() ? "" : state.at("problems")[0].get<std::string>();
+  }
+  long runs(const Json& state, const std::string& pass) const {
+    return state.at("passes").at(pass).at("runs").get<long>();
+  }
+
+  struct Place {
+    int x = 0, y = 0;
+  };
+  /// A point of a widget, as shares of its width and height, once it is there and rests.
+  Place place(const std::string& widget, double across = 0.5, double down = 0.5);
+
+  /// Runs xdotool with these words.
+  void xdotool(const std::vector<std::string>& words);
+  void move_to(const Place& place);
+  void click(const std::string& widget, int button = 1);
+  /// Ctrl and click on a number, then its new text.
+  void type_over(const std::string& widget, const std::string& text);
+  void wait_for_text_field();
+  void drag(const Place& from, const Place& to, int button = 1);
+  void keys(const std::string& keys) { xdotool({"key", keys}); }
+  void type(const std::string& text) { xdotool({"type", "--delay", "15", text}); }
+
+  std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
+  void write(const std::string& name, const std::string& text) { folder_.write(name, text); }
+  std::string small_scene() const;
+
+  std::map<std::string, std::string> environment_;  ///< Of the program, on top of the tests' own.
+
+ private:
+  TemporaryFolder folder_;
+  pid_t process_ = -1;
+};
+
+}  // namespace inkbench

@@ -1,0 +1,81 @@
+// What goes wrong is told and leaves the pictures as they were; what is mended goes on.
+#include <fstream>
+
+#include "pipeline/base/files.h"
+#include "tests/app/app_test.h"
+#include "tests/cli/command.h"
+
+namespace inkbench {
+namespace {
+
+class AppErrors : public AppTest {};
+
+TEST_F(AppErrors, without_a_display_names_the_commands_that_need_none) {
+  CommandOptions options;
+  options.environment = {
+      {"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}, {"XDG_CONFIG_HOME", file("config").string()}};
+  const CommandResult result = run_command({INKBENCH_EXECUTABLE, "app"}, options);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("`inkbench render` and `inkbench study`"), std::string::npos) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
+TEST_F(AppErrors, missing_mesh_is_told_keeps_the_pictures_and_can_be_gone_back_from) {
+  open();
+  const Json before = state();
+  click("group:model.ball");
+  click("choice:model.ball.shape");
+  click("choice:model.ball.shape=mesh");
+  wait_for("the rabbit",
+           [&](const Json& now) { return now["pictures"]["final"] != before["pictures"]["final"]; });
+  const Json rabbit = settled();
+  click("text:model.ball.mesh");
+  wait_for_text_field();
+  keys("ctrl+a");
+  type("/no/such.obj");
+  keys("Return");
+  const Json told = wait_for("a problem", [](const Json& now) { return !now["problems"].empty(); });
+  EXPECT_NE(first_problem(told).find("/no/such.obj"), std::string::npos);
+  EXPECT_EQ(settled()["pictures"], rabbit["pictures"]);
+  click("go back");
+  const Json after = wait_for("no problem", [](const Json& now) { return now["problems"].empty(); });
+  EXPECT_EQ(parameter(after, "model.ball.mesh"), parameter(rabbit, "model.ball.mesh"));
+}
+
+TEST_F(AppErrors, file_that_cannot_be_opened_is_told_in_the_window) {
+  write("broken.toml", "[combine]\nk_dept = 1\n");
+  write("scene.toml", small_scene());
+  open_with({"--scene", file("scene.toml").string(), file("broken.toml").string()});
+  const Json now = settled();
+  ASSERT_EQ(now["problems"].size(), 1U);
+  EXPECT_NE(first_problem(now).find("broken.toml:2"), std::string::npos) << now["problems"];
+  EXPECT_TRUE(now["ui"].contains("tile:final"));
+}
+
+TEST_F(AppErrors, broken_shader_names_file_and_line_and_mending_it_draws_again) {
+  fs::create_directories(file("root"));
+  fs::copy(project_file("shaders"), file("root/shaders"), fs::copy_options::recursive);
+  fs::copy(project_file("data"), file("root/data"), fs::copy_options::recursive);
+  environment_["INKBENCH_ROOT"] = file("root").string();
+  open();
+  const Json before = state();
+  const fs::path shader = file("root/shaders/combine.frag");
+  const std::string good = read_file(shader);
+  std::string broken = good;
+  const size_t line = broken.find("float sum = p.x + p.y;");
+  ASSERT_NE(line, std::string::npos);
+  broken.replace(line, 22, "float sum = p.x + q.y;");
+  write_file_atomically(shader, broken);
+  const Json told = wait_for("a problem", [](const Json& now) { return !now["problems"].empty(); });
+  EXPECT_NE(first_problem(told).find("shaders/combine.frag:12"), std::string::npos) << told["problems"];
+  EXPECT_EQ(told["pictures"], before["pictures"]);
+  std::string mended = good;
+  mended.replace(line, 22, "float sum = p.x + 2.0 * p.y;");
+  write_file_atomically(shader, mended);
+  wait_for("the shader", [&](const Json& now) {
+    return now["problems"].empty() && now["pictures"]["final"] != before["pictures"]["final"];
+  });
+}
+
+}  // namespace
+}  // namespace inkbench

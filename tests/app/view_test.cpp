@@ -1,0 +1,153 @@
+// Looking: zoom, pan, filling the window, comparing, the camera, resizing, and that looking computes nothing.
+#include <cmath>
+
+#include "pipeline/image/image_file.h"
+#include "tests/app/app_test.h"
+#include "tests/cli/command.h"
+
+namespace inkbench {
+namespace {
+
+class AppView : public AppTest {
+ protected:
+  long all_runs(const Json& now) const {
+    long sum = 0;
+    for (const auto& [name, pass] : now.at("passes").items()) sum += pass.at("runs").get<long>();
+    return sum;
+  }
+};
+
+TEST_F(AppView, number_key_fills_the_window_and_escape_goes_back) {
+  open();
+  keys("5");
+  wait_for("the buffer", [](const Json& now) { return now["view"]["filled"] == "combined_edges"; });
+  const Json filled = settled();
+  EXPECT_TRUE(filled["ui"].contains("tile:combined_edges"));
+  EXPECT_FALSE(filled["ui"].contains("tile:final"));
+  keys("0");
+  wait_for("the last one", [](const Json& now) { return now["view"]["filled"] == "reference"; });
+  keys("Escape");
+  wait_for("the sheet", [](const Json& now) { return now["ui"].contains("tile:final"); });
+}
+
+TEST_F(AppView, double_click_fills_and_goes_back) {
+  open();
+  const Place at = place("tile:depth");
+  xdotool({"mousemove", std::to_string(at.x), std::to_string(at.y), "click", "--repeat", "2", "--delay", "60",
+           "1"});
+  wait_for("the buffer", [](const Json& now) { return now["view"]["filled"] == "depth"; });
+  settled();
+  const Place big = place("tile:depth");
+  xdotool({"mousemove", std::to_string(big.x), std::to_string(big.y), "click", "--repeat", "2", "--delay",
+           "60", "1"});
+  wait_for("the sheet", [](const Json& now) { return now["view"]["filled"] == ""; });
+}
+
+TEST_F(AppView, wheel_zooms_and_drag_pans_all_pictures_without_a_pass) {
+  open();
+  const Place at = place("tile:final", 0.25, 0.25);
+  move_to(at);
+  const long runs_before = all_runs(settled());
+  xdotool({"click", "--repeat", "6", "--delay", "20", "4"});
+  wait_for("zoom", [](const Json& now) { return now["view"]["zoom"] > 2.9; });
+  const Json zoomed = settled();
+  EXPECT_NEAR(zoomed["view"]["zoom"].get<double>(), std::pow(1.2, 6), 1e-6);
+  EXPECT_LT(zoomed["view"]["centre"][0].get<double>(), 0.4) << "about the mouse";
+  drag(at, {at.x + 30, at.y});
+  wait_for("pan", [&](const Json& now) { return now["view"]["centre"][0] < zoomed["view"]["centre"][0]; });
+  EXPECT_EQ(all_runs(settled()), runs_before);
+}
+
+TEST_F(AppView, alt_drag_turns_the_camera_about_its_target) {
+  open();
+  const Json before = state();
+  const Place at = place("tile:final");
+  xdotool({"keydown", "alt"});
+  drag(at, {at.x + 24, at.y - 6});
+  xdotool({"keyup", "alt"});
+  wait_for("the camera",
+           [&](const Json& now) { return parameter(now, "camera.eye") != parameter(before, "camera.eye"); });
+  const Json after = settled();
+  EXPECT_EQ(parameter(after, "camera.target"), parameter(before, "camera.target"));
+  EXPECT_NE(after["pictures"]["normal"], before["pictures"]["normal"]);
+  EXPECT_NE(after["pictures"]["reference"], before["pictures"]["reference"]);
+  EXPECT_EQ(after["steps"].size(), 1U);
+  EXPECT_EQ(after["view"]["zoom"], 1.0) << "the view stays";
+}
+
+TEST_F(AppView, pinned_state_stays_while_now_changes_and_space_flips) {
+  open();
+  keys("p");
+  wait_for("the pin", [](const Json& now) { return !now["pinned"].empty(); });
+  const Json pinned = settled()["pinned"];
+  drag(place("bar:combine.k_normal", 0.5), place("bar:combine.k_normal", 0.1));
+  wait_for("a step", [](const Json& now) { return now["steps"].size() == 1; });
+  keys("c");
+  const Json compared =
+      wait_for("comparing", [](const Json& now) { return now["view"]["comparison"]["active"]; });
+  EXPECT_EQ(compared["view"]["comparison"]["a"], Json({"final", true}));
+  EXPECT_EQ(compared["view"]["comparison"]["b"], Json({"final", false}));
+  EXPECT_EQ(settled()["pinned"], pinned);
+  keys("space");
+  wait_for("flipping", [](const Json& now) { return now["view"]["comparison"]["flips"]; });
+  const bool shown = settled()["view"]["comparison"]["shows_b"];
+  keys("space");
+  wait_for("the other", [&](const Json& now) { return now["view"]["comparison"]["shows_b"] != shown; });
+}
+
+TEST_F(AppView, every_tile_stays_in_sight_when_the_window_is_resized) {
+  open();
+  for (const auto& [width, height] : {std::pair{640, 480}, {1500, 600}, {700, 1000}}) {
+    xdotool({"search", "--name", "^inkbench$", "windowsize", std::to_string(width), std::to_string(height)});
+    wait_for("the size",
+             [w = width](const Json& now) { return now["layout"]["width_px"] == std::to_string(w); });
+    const Json ui = settled()["ui"];
+    int tiles = 0;
+    for (const auto& [name, rect] : ui.items()) {
+      if (!name.starts_with("tile:")) continue;
+      ++tiles;
+      EXPECT_GE(rect[0], 0) << name;
+      EXPECT_LE(rect[2], width) << name;
+      EXPECT_LE(rect[3], height) << name;
+      EXPECT_GT(rect[2].get<double>() - rect[0].get<double>(), 20) << name << " at " << width;
+    }
+    EXPECT_EQ(tiles, 10);
+  }
+}
+
+TEST_F(AppView, window_shows_the_pixels_that_render_writes) {
+  open();
+  keys("7");
+  wait_for("the buffer", [](const Json& now) { return now["view"]["filled"] == "final"; });
+  keys("z");
+  wait_for("one to one",
+           [](const Json& now) { return std::abs(now["view"]["magnification"].get<double>() - 1) < 1e-9; });
+  settled();
+  keys("F12");
+  const Json saved = wait_for("the screenshot", [](const Json& now) { return !now["log"].empty(); });
+  const std::string note = saved["log"].back();
+  const Picture window = read_picture(note.substr(note.find('/')), 3);
+  const CommandResult result =
+      run_command({INKBENCH_EXECUTABLE, "render", "--scene", file("scene.toml").string(), "--buffers",
+                   "final", "--out", file("out").string()},
+                  {.environment = environment_});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Picture written = read_picture(file("out") / "final.png", 3);
+  const auto rect = state()["ui"]["tile:final"].get<std::vector<double>>();
+  const double left = rect[0] + (rect[2] - rect[0]) / 2 - written.width_px / 2.0;
+  const double top = rect[1] + (rect[3] - rect[1]) / 2 - written.height_px / 2.0;
+  int different = 0;
+  for (int y = 0; y < written.height_px; ++y) {
+    for (int x = 0; x < written.width_px; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const int window_x = static_cast<int>(std::lround(left)) + x;
+        const int window_y = static_cast<int>(std::lround(top)) + y;
+        if (window.at(window_x, window_y, c) != written.at(x, y, c)) ++different;
+      }
+    }
+  }
+  EXPECT_EQ(different, 0);
+}
+
+}  // namespace
+}  // namespace inkbench

@@ -1,0 +1,68 @@
+// The window itself: its first start, what it remembers, and that it sleeps when nothing happens.
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "tests/app/app_test.h"
+
+namespace inkbench {
+namespace {
+
+class AppWindow : public AppTest {};
+
+TEST_F(AppWindow, first_start_shows_the_papers_scene_and_the_page_of_keys) {
+  open_with({"--set", "image.width=128", "--set", "image.height=128"}, false);
+  const Json now = settled();
+  EXPECT_EQ(now["scene"], "paper.toml");
+  EXPECT_EQ(parameter(now, "combine.k_depth"), "0.003");
+  EXPECT_EQ(parameter(now, "combine.k_normal"), "0.0125");
+  EXPECT_EQ(now["layout"]["show_welcome"], "true");
+  click("start");
+  wait_for("the page to close", [](const Json& one) { return one["layout"]["show_welcome"] == "false"; });
+  quit();
+}
+
+TEST_F(AppWindow, next_start_brings_back_settings_dividers_and_theme) {
+  open();
+  drag(place("divider:left"), {place("divider:left").x + 60, place("divider:left").y});
+  drag(place("bar:combine.threshold", 0.2), place("bar:combine.threshold", 0.3));
+  wait_for("a step", [](const Json& now) { return now["steps"].size() == 1; });
+  click("menu:View");
+  click("menu:Light");
+  wait_for("the theme", [](const Json& now) { return now["layout"]["theme"] == "\"light\""; });
+  const Json before = settled();
+  quit();
+  open_with({});
+  const Json after = state();
+  EXPECT_EQ(after["layout"]["left"], before["layout"]["left"]);
+  EXPECT_EQ(after["layout"]["theme"], before["layout"]["theme"]);
+  EXPECT_EQ(after["parameters"], before["parameters"]);
+  EXPECT_EQ(after["scene"], "scene.toml");
+}
+
+TEST_F(AppWindow, draws_nothing_and_computes_nothing_while_nothing_happens) {
+  open();
+  xdotool({"mousemove", "5", "715"});
+  settled();
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const long frames = settled()["frames"];
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  EXPECT_EQ(settled()["frames"], frames);
+}
+
+TEST_F(AppWindow, tab_leaves_the_pictures_alone_and_brings_the_panels_back) {
+  open();
+  const auto width = [](const Json& now) {
+    return now["ui"]["tile:final"][2].get<double>() - now["ui"]["tile:final"][0].get<double>();
+  };
+  const double before = width(state());
+  keys("Tab");
+  wait_for("no panels", [](const Json& now) { return !now["ui"].contains("search"); });
+  EXPECT_GT(width(settled()), before);
+  keys("Tab");
+  wait_for("the panels", [](const Json& now) { return now["ui"].contains("search"); });
+  EXPECT_EQ(width(settled()), before);
+}
+
+}  // namespace
+}  // namespace inkbench
