@@ -43,16 +43,10 @@ void check_format(const std::string& format, const std::vector<BufferName>& buff
 }
 
 /// Writes `out/<buffer>.<format>`; returns its path.
-fs::path write_buffer(BufferSource& source, const Settings& settings, BufferName buffer,
-                      const RenderOptions& options) {
+fs::path write_to_folder(BufferSource& source, const Settings& settings, BufferName buffer,
+                         const RenderOptions& options) {
   const fs::path path = fs::path(options.out) / (std::string(name_of(buffer)) + "." + options.format);
-  if (options.format == "svg") {
-    write_file_atomically(path, reference_svg(source.reference(settings)));
-  } else if (options.format == "exr") {
-    write_exr(path, source.raw(settings, buffer), export_text(settings, buffer));
-  } else {
-    write_png(path, source.picture(settings, buffer), export_text(settings, buffer));
-  }
+  write_buffer(source, settings, buffer, path);
   return path;
 }
 
@@ -71,7 +65,7 @@ void render(const RenderOptions& options) {
   BufferSource source(pipeline);
   make_folder(options.out);
   for (const BufferName buffer : buffers) {
-    fmt::print("{}\n", write_buffer(source, settings, buffer, options).string());
+    fmt::print("{}\n", write_to_folder(source, settings, buffer, options).string());
   }
 }
 

@@ -95,6 +95,10 @@ class Pipeline {
   /// The meshes that the G-buffer draws, by model and level.
   MeshStore& meshes() { return meshes_; }
 
+  /// What the G-buffer draws: the visible models with their meshes, which stay until other settings are
+  /// drawn. Errors (input): a mesh cannot be read.
+  std::vector<DrawItem> draw_items(const Settings& settings);
+
   /// How often each pass ran and was reused, by the pass's name; "picture" counts those of
   /// `picture_texture`.
   std::map<std::string, StageCount> counts() const;
@@ -132,7 +136,6 @@ class Pipeline {
   const Texture& blinn_phong(const Settings& settings, const PassKeys& keys);
   const Texture& final(const Settings& settings, const PassKeys& keys);
   View view(const Settings& settings, const PassKeys& keys, BufferName buffer);
-  std::vector<DrawItem> draw_items(const Settings& settings);
 
   /// First, so that it is destroyed last, after the stages have given their textures back.
   struct PoolGuard {

@@ -9,6 +9,7 @@
 
 #include "app/panels/comparison.h"
 #include "app/panels/overlay_legend.h"
+#include "app/panels/picture_menu.h"
 #include "app/panels/picture_tile.h"
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
@@ -106,6 +107,7 @@ void draw_tile(Workbench& bench, BufferName buffer, const TileRect& picture) {
   const std::string name(name_of(buffer));
   const ComparedPicture which{buffer, false};
   const TileMouse mouse = handle_tile_mouse(bench, "tile:" + name, which, picture);
+  draw_picture_menu(bench, buffer);
   if (mouse.clicked) bench.view.selected = buffer;
   if (mouse.double_clicked) {
     bench.view.filled = bench.view.filled ? std::nullopt : std::optional(buffer);

@@ -29,6 +29,8 @@ constexpr std::array kPictures{
     Entry{"L", "reference lines, right and wrong ones, none"},
     Entry{"J", "judge the lines; back to the inspector"},
     Entry{"P", "pin this state to compare with"},
+    Entry{"W", "show the meshes' triangles"},
+    Entry{"Right click", "save it, copy its command"},
 };
 
 constexpr std::array kParameters{
@@ -45,14 +47,25 @@ constexpr std::array kCamera{
     Entry{"Alt+Shift+drag", "move along the picture"},
     Entry{"Alt+wheel", "nearer, farther"},
     Entry{"O, V", "the mouse for the camera; for the view"},
+    Entry{"Ctrl+1 to 9", "keep the camera"},
+    Entry{"Shift+1 to 9", "back to a kept camera"},
+    Entry{"Home", "fit the scene; with Shift the model"},
+};
+
+constexpr std::array kFiles{
+    Entry{"Ctrl+Z, Ctrl+Y", "undo; redo (or Ctrl+Shift+Z)"},
+    Entry{"Ctrl+O", "open a file; or drop it here"},
+    Entry{"Ctrl+S", "save settings; with Shift elsewhere"},
+    Entry{"Ctrl+E", "save a picture"},
+    Entry{"Ctrl+Shift+C", "copy the command that draws this"},
+    Entry{"Ctrl+V", "open a copied path; take settings"},
 };
 
 constexpr std::array kWindow{
     Entry{"Tab", "pictures alone; again for all panels"},
-    Entry{"Ctrl+Z, Ctrl+Y", "undo; redo"},
     Entry{"F3", "the studies, or the pictures"},
     Entry{"F11, F12", "full screen; save a screenshot"},
-    Entry{"Ctrl+O, Ctrl+Q", "open a file; quit"},
+    Entry{"Ctrl+Q", "quit"},
     Entry{"F1", "this page"},
 };
 
@@ -80,15 +93,16 @@ void draw_list(const char* title, const std::array<Entry, kCount>& entries) {
 
 void draw_columns() {
   const float width = (ImGui::GetContentRegionAvail().x - scaled(24)) / 2;
-  const float height = scaled(350);
+  const float height = scaled(500);
   ImGui::BeginChild("left", {width, height});
   draw_list("Pictures", kPictures);
-  draw_list("Window", kWindow);
+  draw_list("Parameters", kParameters);
   ImGui::EndChild();
   ImGui::SameLine(0, scaled(24));
   ImGui::BeginChild("right", {width, height});
-  draw_list("Parameters", kParameters);
+  draw_list("Undo and files", kFiles);
   draw_list("Camera", kCamera);
+  draw_list("Window", kWindow);
   ImGui::EndChild();
 }
 

@@ -9,6 +9,7 @@
 #include "app/panels/contact_sheet.h"
 #include "app/panels/hover.h"
 #include "app/panels/keys_page.h"
+#include "app/panels/restore_bar.h"
 #include "app/panels/shortcuts.h"
 #include "app/panels/status_bar.h"
 #include "app/panels/timings.h"
@@ -140,17 +141,10 @@ void MainFrame::draw_bottom(Workbench& bench, const Places& places) {
 
 void MainFrame::draw(Workbench& bench) {
   const ShortcutRequests keys = handle_shortcuts(bench);
-  if (keys.search) {
-    bench.layout.show_parameters = true;
-    parameters_.focus_search();
-  }
-  if (keys.open) menu_bar_.ask_for_file();
+  if (keys.search) left_.focus_search(bench);
   menu_bar_.draw(bench);
   const Places places = arrange(bench);
-  panel("parameters", places.left, theme().panel, [&] {
-    panel_heading("Parameters");
-    parameters_.draw(bench);
-  });
+  panel("left", places.left, theme().panel, [&] { left_.draw(bench); });
   follow_studies(bench);
   if (bench.studies.page_open) {
     panel("studies", places.middle, theme().panel, [&] { studies_.draw(bench); });
@@ -159,6 +153,7 @@ void MainFrame::draw(Workbench& bench) {
       "pictures", bench.studies.page_open ? Area{} : places.middle, theme().canvas,
       [&] {
         draw_toolbar(bench);
+        draw_restore_bar(bench);
         draw_banner(bench);
         draw_contact_sheet(bench);
       },
@@ -170,6 +165,7 @@ void MainFrame::draw(Workbench& bench) {
   ImGui::PopStyleVar();
   draw_dividers(bench, places);
   draw_keys_page(bench);
+  dialogs_.draw(bench);
   if (is_hover_pending()) bench.wake_in(kHelpDelay / 2);
 }
 

@@ -1,9 +1,10 @@
 // The whole window: where the panels are, the dividers between them, and each panel's turn.
 #pragma once
 
+#include "app/panels/file_dialogs.h"
+#include "app/panels/left_panel.h"
 #include "app/panels/log.h"
 #include "app/panels/menu_bar.h"
-#include "app/panels/parameters.h"
 #include "app/panels/ramp_editor.h"
 #include "app/panels/side_panel.h"
 #include "app/panels/studies_page.h"
@@ -23,7 +24,8 @@ class MainFrame {
   void draw_bottom(Workbench& bench, const Places& places);
 
   MenuBar menu_bar_;
-  ParametersPanel parameters_;
+  LeftPanel left_;
+  FileDialogs dialogs_;
   SidePanel side_panel_;
   LogPanel log_;
   StudiesPage studies_;

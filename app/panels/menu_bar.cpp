@@ -1,15 +1,13 @@
 #include "app/panels/menu_bar.h"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "app/panels/edit_menu.h"
 #include "app/panels/shortcuts.h"
 #include "app/panels/shaders_menu.h"
-#include "app/panels/widgets.h"
-#include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "pipeline/base/files.h"
 
@@ -39,7 +37,7 @@ void MenuBar::file_menu(Workbench& bench) {
   const bool open = ImGui::BeginMenu("File");
   bench.ui_map.mark_item("menu:File");
   if (!open) return;
-  if (item(bench, "Open...", "Ctrl+O")) ask_for_file();
+  draw_file_items(bench);
   const bool scenes = ImGui::BeginMenu("Scenes");
   bench.ui_map.mark_item("menu:Scenes");
   if (scenes) {
@@ -49,7 +47,6 @@ void MenuBar::file_menu(Workbench& bench) {
     ImGui::EndMenu();
   }
   ImGui::Separator();
-  if (item(bench, "Reset all to the scene")) bench.replace(bench.baseline());
   shaders_menu(bench);
   ImGui::Separator();
   if (item(bench, "Quit", "Ctrl+Q")) bench.requests.close = true;
@@ -64,7 +61,7 @@ void MenuBar::view_menu(Workbench& bench) {
   const auto panel = [&](const char* label, bool& shown) {
     if (item(bench, label, nullptr, shown)) shown = !shown;
   };
-  panel("Parameters", layout.show_parameters);
+  panel("Left panel", layout.show_parameters);
   panel("Inspector", layout.show_inspector);
   panel("Timings", layout.show_timings);
   panel("Log", layout.show_log);
@@ -84,40 +81,18 @@ void MenuBar::view_menu(Workbench& bench) {
   if (item(bench, "Larger text", "Ctrl++")) change_text_size(bench, 0.1F);
   if (item(bench, "Smaller text", "Ctrl+-")) change_text_size(bench, -0.1F);
   ImGui::Separator();
+  if (item(bench, "Wireframe", "W", bench.view.wireframe)) bench.view.wireframe = !bench.view.wireframe;
+  ImGui::Separator();
   if (item(bench, "Full screen", "F11")) bench.requests.toggle_full_screen = true;
   if (item(bench, "Save a screenshot", "F12")) bench.requests.screenshot = true;
   ImGui::EndMenu();
-}
-
-void MenuBar::draw_file_question(Workbench& bench) {
-  if (asking_) ImGui::OpenPopup("Open a file");
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 3}, ImGuiCond_Appearing, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize({std::min(scaled(560), screen.x - scaled(20)), 0});
-  if (!ImGui::BeginPopupModal("Open a file", nullptr,
-                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings))
-    return;
-  ImGui::PushFont(fonts().bold);
-  ImGui::TextUnformatted("Open a file");
-  ImGui::PopFont();
-  faint_text("A scene (.toml), an exported image (.png, .exr) or a mesh (.obj, .ply, .off, .stl).");
-  if (asking_) ImGui::SetKeyboardFocusHere();
-  asking_ = false;
-  ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputText("##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
-  bench.ui_map.mark_item("path");
-  const bool opens = ImGui::Button("Open") || entered;
-  ImGui::SameLine();
-  const bool cancels = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-  if (opens && !path_.empty()) bench.open(path_);
-  if (opens || cancels) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
 }
 
 void MenuBar::draw(Workbench& bench) {
   if (ImGui::BeginMainMenuBar()) {
     height_ = ImGui::GetWindowHeight();
     file_menu(bench);
+    draw_edit_menu(bench);
     view_menu(bench);
     studies_.draw_menu(bench);
     const bool help = ImGui::BeginMenu("Help");
@@ -128,7 +103,6 @@ void MenuBar::draw(Workbench& bench) {
     }
     ImGui::EndMainMenuBar();
   }
-  draw_file_question(bench);
   studies_.draw_question(bench);
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "app/panels/light_ball.h"
 #include "app/panels/parameter_help.h"
 #include "app/panels/sweep_menu.h"
 #include "app/panels/value_bar.h"
@@ -51,6 +52,7 @@ void vector_editor(Workbench& bench, const RowContext& row, float width) {
     apply_bar(bench, key, bar, false);
     if (bar.reset) bench.reset(key);
   }
+  if (is_light_direction(row)) light_ball(bench, row);
 }
 
 void colour_editor(Workbench& bench, const RowContext& row, float width) {

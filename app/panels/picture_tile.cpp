@@ -42,6 +42,19 @@ TileOverlay overlay_for(Workbench& bench, const ComparedPicture& which, const Te
   return fits ? overlay : TileOverlay{};
 }
 
+/// Over the picture that was just drawn. What cannot be drawn is told by the pictures themselves.
+void draw_wires(Workbench& bench, const TilePlace& place, const TileRect& rect) {
+  if (bench.problems().contains(ProblemKind::drawing)) return;
+  const ImVec4 colour = as_vec4(theme().accent);
+  const WireView view{place,
+                      static_cast<int>(rect.width()),
+                      static_cast<int>(rect.height()),
+                      {colour.x, colour.y, colour.z, 1.0F}};
+  const Texture& wires = bench.wires.paint(bench.pictures.pipeline(), bench.settings(), view);
+  ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(wires.id())),
+                                       rect.low, rect.high, {0, 1}, {1, 0});
+}
+
 }  // namespace
 
 TileFrame frame_of(const Workbench& bench, const ComparedPicture& which, const TileRect& rect) {
@@ -72,6 +85,7 @@ void draw_picture(Workbench& bench, const std::string& slot, const ComparedPictu
   list.PushClipRect(clip.low, clip.high, true);
   list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(tile.id())), rect.low, rect.high, {0, 1},
                 {1, 0});
+  if (bench.view.wireframe && !which.pinned) draw_wires(bench, place, rect);
   draw_mark(bench, frame);
   list.PopClipRect();
 }

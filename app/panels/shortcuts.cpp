@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/panels/comparison.h"
+#include "app/panels/keep_shortcuts.h"
 #include "app/panels/mark.h"
 #include "app/panels/overlay_legend.h"
 #include "app/window/theme.h"
@@ -21,12 +22,7 @@ bool pressed(int key) {
 ShortcutRequests with_control(Workbench& bench) {
   ShortcutRequests requests;
   requests.search = letter_pressed('f');
-  requests.open = letter_pressed('o');
   if (letter_pressed('q')) bench.requests.close = true;
-  const bool shift = ImGui::GetIO().KeyShift;
-  const bool in_text = ImGui::GetIO().WantTextInput;
-  if (letter_pressed('z') && !in_text) shift ? bench.redo() : bench.undo();
-  if (letter_pressed('y') && !in_text) bench.redo();
   if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) change_text_size(bench, 0.1F);
   if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) change_text_size(bench, -0.1F);
   return requests;
@@ -109,6 +105,7 @@ void change_text_size(Workbench& bench, float change) {
 
 ShortcutRequests handle_shortcuts(Workbench& bench) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (handle_keep_shortcuts(bench)) return {};
   if (pressed(GLFW_KEY_F1)) bench.layout.show_welcome = !bench.layout.show_welcome;
   if (pressed(GLFW_KEY_F3)) bench.studies.page_open = !bench.studies.page_open;
   if (pressed(GLFW_KEY_F11)) bench.requests.toggle_full_screen = true;

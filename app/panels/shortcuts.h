@@ -7,7 +7,7 @@ namespace inkbench {
 
 /// What a key asks of panels.
 struct ShortcutRequests {
-  bool search = false, open = false;
+  bool search = false;
 };
 
 /// The key went down in this frame, by the letter on it, whatever the keyboard's layout.

@@ -79,10 +79,14 @@ void pin_tool(Workbench& bench) {
 void mouse_tools(Workbench& bench) {
   ViewState& view = bench.view;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const float width = button_width("View") + button_width("Camera") + button_width("Fit") +
-                      button_width("1:1") + 3 * spacing + 2;
+  const float width = button_width("Mesh") + spacing + button_width("View") + button_width("Camera") +
+                      button_width("Fit") + button_width("1:1") + 3 * spacing + 2;
   const float place = ImGui::GetWindowContentRegionMax().x - width;
   ImGui::SameLine(std::max(place, ImGui::GetCursorPosX()));
+  if (toggle_button("Mesh", view.wireframe, "The triangles of the meshes over the pictures (W)."))
+    view.wireframe = !view.wireframe;
+  bench.ui_map.mark_item("wireframe");
+  ImGui::SameLine();
   if (toggle_button("View", view.tool == MouseTool::view,
                     "Dragging moves the pictures; the wheel zooms (V)."))
     view.tool = MouseTool::view;

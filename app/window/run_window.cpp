@@ -14,13 +14,9 @@
 #include "app/window/gui.h"
 #include "app/window/state_file.h"
 #include "app/window/workbench.h"
-#include "app/workbench/param_changes.h"
-#include "app/workbench/session_store.h"
-#include "app/workbench/user_folder.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/image/image_file.h"
-#include "pipeline/scene/settings_file.h"
 
 namespace inkbench {
 namespace {
@@ -60,7 +56,6 @@ class WindowLoop {
   void run();
 
  private:
-  void save_session(bool at_end);
   void wait();
   void draw_frame();
   void build_frame();
@@ -71,7 +66,7 @@ class WindowLoop {
   bool is_dragging_itself() const { return drag_frame_ < options_.drag_frames; }
 
   const WindowOptions& options_;
-  SessionStore store_;
+  Keeping keeping_;
   Session start_;
   Window window_;
   InputQueue input_;
@@ -87,8 +82,8 @@ class WindowLoop {
 };
 
 /// What to start with: the last session, with what the command line says instead of its settings.
-Session start_session(const WindowOptions& options, SessionStore& store) {
-  Session session = store.load();
+Session start_session(const WindowOptions& options, Keeping& keeping) {
+  Session session = keeping.start();
   if (options.settings) {
     session.settings = *options.settings;
     session.scene = options.scene;
@@ -96,47 +91,23 @@ Session start_session(const WindowOptions& options, SessionStore& store) {
   if (options.size) {
     session.layout.width_px = options.size->width_px;
     session.layout.height_px = options.size->height_px;
+    session.layout.maximised = false;
   }
   return session;
 }
 
-/// The settings as the scene's file gives them, where it still has their models and lights.
-Settings baseline_of(const Session& session) {
-  try {
-    if (session.scene.empty()) return session.settings;
-    Settings baseline = load_settings(session.scene);
-    return same_structure(baseline, session.settings) ? baseline : session.settings;
-  } catch (const Error&) {
-    return session.settings;  // a scene that broke since is told when it is opened
-  }
-}
-
 WindowLoop::WindowLoop(const WindowOptions& options)
     : options_(options),
-      store_(user_folder()),
-      start_(start_session(options, store_)),
+      start_(start_session(options, keeping_)),
       window_("inkbench", {start_.layout.width_px, start_.layout.height_px}),
       input_(window_.handle()),
       gui_(window_, input_),
-      bench_(start_, baseline_of(start_)) {
-  for (const std::string& note : store_.notes()) bench_.tell(Severity::warning, note);
+      bench_(start_, keeping_) {
+  for (const std::string& note : keeping_.take_notes()) bench_.tell(Severity::warning, note);
+  if (start_.layout.maximised) window_.maximise();
   if (!options.state_file.empty()) bench_.ui_map.enable();
   if (!options.file.empty()) bench_.open(options.file);
   if (is_dragging_itself()) bench_.layout.show_welcome = false;
-}
-
-/// Now and then, and at the end: what is to come back at the next start.
-void WindowLoop::save_session(bool at_end) {
-  if (options_.drag_frames > 0) return;
-  try {
-    if (at_end) {
-      store_.close(bench_.session());
-    } else if (!bench_.is_editing()) {
-      store_.autosave(bench_.session());
-    }
-  } catch (const Error& error) {
-    bench_.tell(Severity::warning, error.what());
-  }
 }
 
 /// Sleeps until there is something to do; sets how many frames that takes.
@@ -157,7 +128,7 @@ void WindowLoop::wait() {
   if (bench_.judge.take_news()) frames_wanted_ = std::max(frames_wanted_, 2);
   if (seconds_now() >= next_poll_) {
     if (bench_.poll_files()) frames_wanted_ = std::max(frames_wanted_, 2);
-    save_session(false);
+    if (options_.drag_frames == 0) keeping_.autosave(bench_, seconds_now());
     next_poll_ = seconds_now() + kPollSeconds;
   }
 }
@@ -205,7 +176,8 @@ void WindowLoop::take_requests() {
   if (requests.toggle_full_screen) window_.toggle_full_screen();
   if (requests.close) window_.close();
   const WindowSize size = window_.size();
-  if (window_.is_full_screen() || size.width_px < 1) return;
+  bench_.layout.maximised = window_.is_maximised();
+  if (window_.is_full_screen() || bench_.layout.maximised || size.width_px < 1) return;
   bench_.layout.width_px = std::max(size.width_px, 480);
   bench_.layout.height_px = std::max(size.height_px, 320);
 }
@@ -236,7 +208,8 @@ void WindowLoop::drag_by_itself() {
   const Field& field = *find_param(settings, options_.drag_key, "--drag").field;
   const double share = 0.5 + 0.45 * std::sin(0.1 * drag_frame_);
   const double value = field.slider.low * std::pow(field.slider.high / field.slider.low, share);
-  bench_.change(options_.drag_key, static_cast<float>(value));
+  const bool whole = field.type == FieldType::integer;
+  bench_.change(options_.drag_key, whole ? Value(static_cast<int>(value)) : Value(static_cast<float>(value)));
   ++drag_frame_;
   if (is_dragging_itself()) return;
   bench_.end_edit();
@@ -270,7 +243,7 @@ void WindowLoop::run() {
   window_.hide();  // the end of a study's cell may take a moment
   bench_.studies.stop();
   write_state();
-  save_session(true);
+  if (options_.drag_frames == 0) keeping_.close(bench_);
 }
 
 }  // namespace

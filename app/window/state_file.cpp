@@ -26,6 +26,7 @@ Json view_of(const ViewState& view) {
             {"filled", view.filled ? std::string(name_of(*view.filled)) : ""},
             {"marked", view.marked ? Json{view.marked->x, view.marked->y} : Json(nullptr)},
             {"overlay", static_cast<int>(view.overlay)},
+            {"wireframe", view.wireframe},
             {"tool", view.tool == MouseTool::camera ? "camera" : "view"}};
   json["comparison"] = {{"active", view.comparison.active},
                         {"flips", view.comparison.flips},
@@ -119,6 +120,12 @@ std::string state_text(const Workbench& bench) {
             {"judge", judge_of(bench.judge)},
             {"why", why_of(bench)},
             {"log", log_of(bench.log)}};
+  json["bookmarks"] = Json::array();
+  for (const CameraBookmark& bookmark : bench.keeping.bookmarks())
+    json["bookmarks"].push_back({bookmark.name, bookmark.key});
+  json["recent"] = Json::array();
+  for (const std::filesystem::path& file : bench.keeping.recent()) json["recent"].push_back(file.string());
+  json["unsaved"] = bench.keeping.unsaved().size();
   json["problems"] = Json::array();
   for (const auto& [kind, text] : bench.problems()) json["problems"].push_back(text);
   json["ui"] = Json::object();

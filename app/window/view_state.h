@@ -53,6 +53,7 @@ struct ViewState {
   MouseTool tool = MouseTool::view;
   double magnification = 1.0;                  ///< Window pixels a picture pixel, as last drawn.
   std::optional<double> wanted_magnification;  ///< To set when tiles are next drawn.
+  bool wireframe = false;                      ///< The meshes' edges over the pictures.
   bool camera_moving = false;                  ///< The mouse drags the camera.
   std::optional<HoveredPixel> hovered;
   std::optional<MarkedPixel> marked_before;  ///< What a second click brings back.

@@ -122,6 +122,14 @@ void Window::present() {
   glfwSwapBuffers(handle_);
 }
 
+bool Window::is_maximised() const {
+  return glfwGetWindowAttrib(handle_, GLFW_MAXIMIZED) == GLFW_TRUE;
+}
+
+void Window::maximise() {
+  glfwMaximizeWindow(handle_);
+}
+
 void Window::toggle_full_screen() {
   if (full_screen_) {
     glfwSetWindowMonitor(handle_, nullptr, x_, y_, windowed_.width_px, windowed_.height_px, GLFW_DONT_CARE);

@@ -34,6 +34,8 @@ class Window {
   float content_scale() const;
   void set_title(const std::string& title);
   void present();
+  bool is_maximised() const;
+  void maximise();
 
   bool is_full_screen() const { return full_screen_; }
   void toggle_full_screen();

@@ -7,8 +7,6 @@
 #include "app/window/word_list.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/log.h"
-#include "pipeline/mesh/mesh_file.h"
-#include "pipeline/scene/replace_mesh.h"
 #include "pipeline/scene/settings_file.h"
 
 namespace inkbench {
@@ -16,15 +14,19 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
+/// Every parameter is asked whether it accepts its value. Errors (input): one does not.
+Settings checked(Settings settings) {
+  for (const Param& param : list_params(settings)) param.set(param.value(), "");
+  return settings;
+}
+
 }  // namespace
 
-Workbench::Workbench(const Session& session, const Settings& baseline)
-    : layout(session.layout),
+Workbench::Workbench(const Session& session, Keeping& kept)
+    : keeping(kept),
+      layout(session.layout),
       history_(session.settings),
-      baseline_(baseline),
-      scene_(session.scene),
-      recent_(session.recent),
-      bookmarks_(session.bookmarks),
+      origins_{origin_in(session.scene, session.settings)},
       wake_seconds_(kNever) {
   set_log_sink([this](const std::string& text) { log.add(Severity::note, text); });
   pictures.pipeline().observe(&timer);
@@ -35,17 +37,8 @@ Workbench::~Workbench() {
   set_log_sink({});
 }
 
-Session Workbench::session() const {
-  return {settings(), scene_, layout, recent_, bookmarks_};
-}
-
-std::string Workbench::scene_name() const {
-  return scene_.empty() ? "no scene file" : scene_.filename().string();
-}
-
-/// Returns whether the change was accepted.
 template <class Change>
-bool Workbench::apply(const Change& change, const std::string& name) {
+bool Workbench::apply(const Change& change, const std::string& step) {
   Settings next = settings();
   try {
     change(next);
@@ -54,7 +47,8 @@ bool Workbench::apply(const Change& change, const std::string& name) {
     return false;
   }
   dismiss(ProblemKind::input);
-  history_.record(std::move(next), name);
+  history_.record(std::move(next), step);
+  ++revision_;
   return true;
 }
 
@@ -67,52 +61,36 @@ void Workbench::change_text(const std::string& key, const std::string& text) {
 }
 
 void Workbench::reset(const std::string& key) {
-  Settings from = baseline_;
+  Settings from = baseline();
   if (has_param(from, key)) change(key, find_param(from, key, "").value());
 }
 
-void Workbench::replace(const Settings& settings, const std::string& name) {
-  const auto take = [&](Settings& next) {
-    next = settings;
-    for (const Param& param : list_params(next)) param.set(param.value(), "");  // checks it
-  };
-  apply(take, name);
+void Workbench::replace(const Settings& settings, const std::string& step) {
+  apply([&](Settings& next) { next = checked(settings); }, step);
+}
+
+void Workbench::begin_edit() {
+  if (!is_editing()) history_.begin_edit();
+}
+
+void Workbench::end_edit() {
+  history_.end_edit();
+  ++revision_;
 }
 
 void Workbench::undo() {
-  history_.undo();
+  if (history_.can_undo()) go_to_step(history_.position() - 1);
 }
 
 void Workbench::redo() {
-  history_.redo();
+  if (history_.can_redo()) go_to_step(history_.position() + 1);
 }
 
-void Workbench::take_over(Settings& next, const OpenedFile& file) {
-  if (file.kind == FileKind::study) {
-    throw input_error(file.path.string(), "is a study", "`inkbench study` runs it");
-  }
-  if (file.kind == FileKind::mesh) {
-    load_mesh_file(file.path);  // one that cannot be read is told before anything changes
-    replace_main_mesh(next, file.path);
-  }
-  if (file.settings) next = *file.settings;
-  if (file.ramp) next.ramp.diffuse = *file.ramp;
-}
-
-void Workbench::open(const std::string& path) {
-  std::optional<OpenedFile> opened;
-  const auto take = [&](Settings& next) {
-    opened = open_file(path);
-    take_over(next, *opened);
-  };
-  if (!apply(take, "open " + fs::path(path).filename().string())) return;
-  const bool is_scene = opened->kind == FileKind::scene;
-  if (is_scene) scene_ = opened->path;
-  if (is_scene || !same_structure(baseline_, settings())) baseline_ = settings();
-  Session files = session();
-  add_recent(files, opened->path);
-  recent_ = files.recent;
-  tell(Severity::note, "opened " + opened->path.string());
+void Workbench::go_to_step(size_t position) {
+  if (is_editing()) return;  // what is held by the mouse goes on
+  history_.go_to(position);
+  dismiss(ProblemKind::input);
+  ++revision_;
 }
 
 Key Workbench::drawn_state() const {
@@ -157,6 +135,7 @@ bool Workbench::poll_files() {
   try {
     changed = pictures.pipeline().reload_changed_shaders();
     changed |= tiles.reload_if_changed();
+    changed |= wires.reload_if_changed();
     if (changed) {
       dismiss(ProblemKind::shader);
       tell(Severity::note, "shaders reloaded");
@@ -215,7 +194,7 @@ void Workbench::set_problem(ProblemKind kind, const std::string& text) {
 }
 
 void Workbench::go_back() {
-  if (last_good_) replace(*last_good_, "back to what was drawn");
+  if (last_good_) replace(*last_good_, "back to what could be drawn");
 }
 
 void Workbench::wake_in(double seconds) {

@@ -4,13 +4,13 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/window/judge_desk.h"
+#include "app/window/keeping.h"
 #include "app/window/message_log.h"
 #include "app/window/pass_timer.h"
 #include "app/window/pictures.h"
@@ -19,10 +19,10 @@
 #include "app/window/tile.h"
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
+#include "app/window/wire_painter.h"
 #include "app/workbench/history.h"
 #include "app/workbench/opened_file.h"
-#include "app/workbench/session.h"
-#include "pipeline/base/files.h"
+#include "app/workbench/window_layout.h"
 #include "pipeline/scene/settings.h"
 
 namespace inkbench {
@@ -35,6 +35,9 @@ struct WindowRequests {
   bool close = false, toggle_full_screen = false, screenshot = false;
 };
 
+/// What asks for a file's path.
+enum class FileDialog { open, save_settings, save_image };
+
 /// How long frames take: for the status bar and reports.
 struct FrameTimes {
   long frames = 0;
@@ -43,9 +46,9 @@ struct FrameTimes {
 
 class Workbench {
  public:
-  /// Needs a current OpenGL 4.5 context for its whole life. `baseline`: the settings as the session's scene
-  /// file gives them. Errors (input): a shader does not compile.
-  Workbench(const Session& session, const Settings& baseline);
+  /// Needs a current OpenGL 4.5 context for its whole life. Errors (input): a shader does not compile.
+  /// Starts with the session's settings; `keeping` must outlive this.
+  Workbench(const Session& session, Keeping& keeping);
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
   ~Workbench();
@@ -53,12 +56,11 @@ class Workbench {
   // --- settings: every change goes through these ---
 
   const Settings& settings() const { return history_.current(); }
-  /// What the scene's file says: parameters that differ from it are marked as changed and can be reset to it.
-  const Settings& baseline() const { return baseline_; }
-  /// What is to come back at the next start.
-  Session session() const;
-  /// "paper.toml": for people.
-  std::string scene_name() const;
+  /// What the opened file says: parameters that differ from it are marked as changed and can be reset to it.
+  const Settings& baseline() const { return origin().baseline; }
+  const std::string& scene_name() const { return origin().name; }
+  /// The file that the settings came from; empty where no file holds them as a scene.
+  const std::filesystem::path& scene() const { return origin().scene; }
 
   /// Sets one parameter; a value that it does not accept is told as a problem and changes nothing.
   void change(const std::string& key, const Value& value);
@@ -66,19 +68,30 @@ class Workbench {
   void change_text(const std::string& key, const std::string& text);
   /// Back to the baseline's value.
   void reset(const std::string& key);
-  /// All at once: a preset, an image's parameters, a camera; `name` is the step's, "" for what changed.
-  void replace(const Settings& settings, const std::string& name = "");
+  /// All at once; `step` names it in the history, else what changed does.
+  void replace(const Settings& settings, const std::string& step = "");
+  /// The same with the file that they come from, whose own settings are the new baseline. Returns whether
+  /// they were accepted.
+  bool take_over(const Settings& settings, const std::filesystem::path& scene, const std::string& step);
   /// Changes between these two are one step: a slider that is being dragged, an orbit.
-  void begin_edit() { history_.begin_edit(); }
-  void end_edit() { history_.end_edit(); }
+  void begin_edit();
+  void end_edit();
   bool is_editing() const { return history_.is_editing(); }
+  const History& history() const { return history_; }
   void undo();
   void redo();
-  const History& history() const { return history_; }
+  /// To just after that many steps.
+  void go_to_step(size_t position);
+  /// Rises with every change of the settings or of where they came from.
+  long revision() const { return revision_; }
 
-  /// Opens a scene, a preset, an exported image (its parameters), a mesh (in the main model's place) or a
-  /// ramp (the diffuse one). What cannot be opened is told as a problem and changes nothing.
+  /// Opens whatever inkbench knows, by what the file holds: scenes, presets, exported images, meshes, ramps,
+  /// studies. What cannot be opened is told as a problem and changes nothing.
   void open(const std::string& path);
+  /// Takes a study that was opened; without it, its settings are taken over.
+  std::function<void(const OpenedFile&)> on_study;
+  /// The settings are in this file now: it is the scene, and nothing differs from it.
+  void saved_as(const std::filesystem::path& file);
 
   // --- pictures ---
 
@@ -109,32 +122,43 @@ class Workbench {
   void wake_in(double seconds);
   double take_wake_seconds();
 
+  Keeping& keeping;
   WindowLayout layout;
   ViewState view;
   MessageLog log;
   UiMap ui_map;
   WindowRequests requests;
+  std::optional<FileDialog> wanted_dialog;
   FrameTimes frame_times;
   PassTimer timer;         ///< Of the pipeline's passes.
   PassTimer window_timer;  ///< Of the tiles and the window itself.
   Pictures pictures;
   Studies studies;
   TilePainter tiles;
+  WirePainter wires;
   JudgeDesk judge;
   PixelProbe probe;  ///< Of the marked pixel.
 
  private:
+  /// Where settings came from.
+  struct Origin {
+    std::string name;
+    std::filesystem::path scene;
+    Settings baseline;
+  };
+  static Origin origin_in(const std::filesystem::path& scene, const Settings& settings);
+  const Origin& origin() const { return origins_.at(history_.origin()); }
   template <class Change>
-  bool apply(const Change& change, const std::string& name = "");
-  void take_over(Settings& next, const OpenedFile& file);
+  bool apply(const Change& change, const std::string& step = "");
+  void take(const OpenedFile& file);
+  void take_mesh(const OpenedFile& file);
+  void take_from(const Origin& origin, const Settings& settings, const std::string& step);
   Key drawn_state() const;
   std::string files_state();
 
   History history_;
-  Settings baseline_;
-  fs::path scene_;
-  std::vector<fs::path> recent_;
-  std::vector<CameraBookmark> bookmarks_;
+  std::vector<Origin> origins_;  ///< By the numbers that the history knows.
+  long revision_ = 0;
   std::optional<Settings> last_good_;
   std::optional<Key> failed_;  ///< What could not be drawn: not tried again until something changes.
   long files_revision_ = 0;

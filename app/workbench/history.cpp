@@ -1,6 +1,7 @@
 #include "app/workbench/history.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace inkbench {
 namespace {
@@ -42,7 +43,13 @@ bool History::record(Settings next, const std::string& name) {
     return true;
   }
   std::swap(current_, next);
-  return add_step(next, name);
+  return add_step(next, name, origin_);
+}
+
+bool History::record_from(size_t origin, Settings next, const std::string& name) {
+  end_edit();
+  std::swap(current_, next);
+  return add_step(next, name, origin);
 }
 
 void History::begin_edit(const std::string& name) {
@@ -60,7 +67,7 @@ void History::update_edit(Settings next) {
 bool History::end_edit() {
   if (!editing_) return false;
   editing_ = false;
-  return add_step(edit_start_, edit_name_);
+  return add_step(edit_start_, edit_name_, origin_);
 }
 
 void History::cancel_edit() {
@@ -73,8 +80,10 @@ bool History::edit_has_changes() const {
   return editing_ && !same_settings(edit_start_, current_);
 }
 
-bool History::add_step(const Settings& before, const std::string& name) {
+bool History::add_step(const Settings& before, const std::string& name, size_t origin) {
   Step step;
+  step.origin_before = std::exchange(origin_, origin);
+  step.origin_after = origin;
   step.changes = changed_params(before, current_);
   const bool one_structure = same_structure(before, current_);
   if (step.changes.empty() && one_structure) return false;
@@ -106,6 +115,7 @@ const Settings& History::undo() {
   end_edit();
   if (position_ == 0) return current_;
   const Step& step = steps_[--position_];
+  origin_ = step.origin_before;
   if (step.before) {
     current_ = *step.before;
   } else {
@@ -118,6 +128,7 @@ const Settings& History::redo() {
   end_edit();
   if (position_ == steps_.size()) return current_;
   const Step& step = steps_[position_++];
+  origin_ = step.origin_after;
   if (step.after) {
     current_ = *step.after;
   } else {

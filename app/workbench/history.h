@@ -28,6 +28,11 @@ class History {
   /// change: equal settings make no step and cut nothing off. Inside an edit, the same as `update_edit`.
   bool record(Settings next, const std::string& name = "");
 
+  /// The same for settings that came from another file: `origin` is a number that the caller chose for it,
+  /// and undo brings back the one before with its settings. At the start it is 0.
+  bool record_from(size_t origin, Settings next, const std::string& name);
+  size_t origin() const { return origin_; }
+
   /// An edit is a change in many small moves, such as dragging a slider, that is one step. One that comes
   /// back to where it began is none. `begin_edit` within an edit ends that one first.
   void begin_edit(const std::string& name = "");
@@ -61,10 +66,11 @@ class History {
     /// Both sides whole, where models or lights came or went.
     std::shared_ptr<const Settings> before, after;
     size_t bytes = 0;
+    size_t origin_before = 0, origin_after = 0;
   };
 
   bool edit_has_changes() const;
-  bool add_step(const Settings& before, const std::string& name);
+  bool add_step(const Settings& before, const std::string& name, size_t origin);
   void keep_limits();
 
   HistoryLimits limits_;
@@ -72,6 +78,7 @@ class History {
   std::deque<Step> steps_;
   size_t position_ = 0;  ///< Steps before it are done.
   size_t bytes_ = 0;
+  size_t origin_ = 0;
   bool editing_ = false;
   Settings edit_start_;
   std::string edit_name_;

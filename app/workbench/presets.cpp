@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -76,6 +77,16 @@ void check_preset_name(const std::string& name) {
   throw input_error("preset", "the name " + fault, "use letters, digits, blanks, - and _");
 }
 
+std::string preset_text(const std::string& name, const Settings& settings) {
+  return fmt::format("{}: {}\n{}", kPresetMark, name, settings_text(settings));
+}
+
+bool is_preset_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(kPresetMark.size(), '\0');
+  return stream.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kPresetMark;
+}
+
 std::vector<std::string> PresetStore::list() const {
   std::vector<std::string> names;
   std::error_code error;
@@ -107,7 +118,7 @@ fs::path PresetStore::save(const std::string& name, const Settings& settings, bo
     throw input_error("preset", "there is one named '" + name + "' already",
                       "overwrite it or choose another name");
   remove_abandoned_files(folder_);
-  write_file_atomically(path_of(name), fmt::format("{}: {}\n{}", kPresetMark, name, settings_text(settings)));
+  write_file_atomically(path_of(name), preset_text(name, settings));
   return path_of(name);
 }
 

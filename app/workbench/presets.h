@@ -21,6 +21,12 @@ inline constexpr std::string_view kPresetMark = "# inkbench preset";
 /// / \ : * ? " < > |, with a point or blank at its start or end, or not UTF-8.
 void check_preset_name(const std::string& name);
 
+/// The settings as a preset of that name, for any file.
+std::string preset_text(const std::string& name, const Settings& settings);
+
+/// Whether the file is there and begins as a preset does: it was saved by inkbench and may be saved again.
+bool is_preset_file(const std::filesystem::path& file);
+
 class PresetStore {
  public:
   /// The folder need not be there yet; `user_folder() / "presets"` as a rule.

@@ -85,6 +85,8 @@ class SessionReader {
     for (const auto& [name, node] : entries_of(table, "session.bookmark")) {
       if (name == "name") {
         result.name = text_of(node, name);
+      } else if (name == "key") {
+        set_field(CameraBookmark::description(), &result, name, node, "session.bookmark");
       } else {
         set_field(CameraParams::description(), &result.camera, name, node, "session.bookmark");
       }
@@ -96,6 +98,15 @@ class SessionReader {
 };
 
 }  // namespace
+
+const Description& CameraBookmark::description() {
+  static const Description kDescription{
+      "bookmark",
+      "A bookmark of a camera",
+      {field<&CameraBookmark::key>(
+          {.name = "key", .help = "The digit that recalls it; 0: none.", .limits = {0, 9}})}};
+  return kDescription;
+}
 
 Session first_session() {
   Session session;
@@ -128,6 +139,7 @@ std::string session_text(const Session& session) {
                      struct_text(WindowLayout::description(), &session.layout);
   for (const CameraBookmark& bookmark : session.bookmarks) {
     text += "[[session.bookmark]]\nname = " + to_text(Value(bookmark.name)) + "\n" +
+            struct_text(CameraBookmark::description(), &bookmark) +
             struct_text(CameraParams::description(), &bookmark.camera);
   }
   return text + settings_text(session.settings);

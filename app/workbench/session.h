@@ -14,7 +14,10 @@ namespace inkbench {
 
 struct CameraBookmark {
   std::string name;  ///< Any text; names may repeat.
+  int key = 0;       ///< The digit that recalls it; 0: none.
   CameraParams camera;
+
+  static const Description& description();  ///< Of `key`.
 };
 
 struct Session {

@@ -14,6 +14,13 @@ struct ChoiceNames<Theme> {
   static constexpr std::array<std::string_view, 2> names{"dark", "light"};
 };
 
+/// What the panel on the left shows.
+enum class LeftTab { parameters, presets, history, views };
+template <>
+struct ChoiceNames<LeftTab> {
+  static constexpr std::array<std::string_view, 4> names{"parameters", "presets", "history", "views"};
+};
+
 struct WindowLayout {
   int width_px = 1280;
   int height_px = 800;
@@ -26,12 +33,14 @@ struct WindowLayout {
   bool show_timings = true;
   bool show_log = true;
   bool show_welcome = true;
+  LeftTab left_tab = LeftTab::parameters;
   Theme theme = Theme::dark;
   float ui_scale = 0.0F;
   std::string open_groups = "mesh ramp combine ink";
   std::string hidden_buffers;
 
   static const Description& description();
+  bool operator==(const WindowLayout&) const = default;
 };
 
 }  // namespace inkbench

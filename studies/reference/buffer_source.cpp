@@ -2,6 +2,9 @@
 
 #include <set>
 
+#include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
+#include "pipeline/export.h"
 #include "studies/reference/drawing.h"
 
 namespace inkbench {
@@ -87,6 +90,20 @@ Image BufferSource::raw(const Settings& settings, BufferName buffer) {
     }
   }
   return image;
+}
+
+void write_buffer(BufferSource& source, const Settings& settings, BufferName buffer, const fs::path& path) {
+  const std::string format = path.extension().string();
+  if (format == ".svg" && buffer == BufferName::reference) {
+    write_file_atomically(path, reference_svg(source.reference(settings)));
+  } else if (format == ".exr") {
+    write_exr(path, source.raw(settings, buffer), export_text(settings, buffer));
+  } else if (format == ".png") {
+    write_png(path, source.picture(settings, buffer), export_text(settings, buffer));
+  } else {
+    throw input_error(path.string(), "is no name for an image of " + std::string(name_of(buffer)),
+                      "end it in .png or .exr, or .svg for reference");
+  }
 }
 
 }  // namespace inkbench

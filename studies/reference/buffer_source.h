@@ -2,6 +2,7 @@
 // perfect edge filter would draw. In: settings. Out: pictures, raw values, polylines.
 #pragma once
 
+#include <filesystem>
 #include <map>
 
 #include "pipeline/pipeline.h"
@@ -49,5 +50,11 @@ class BufferSource {
   std::map<Key, MeshTopology> drawn_;
   Stage<ReferenceLines> lines_;
 };
+
+/// Writes the buffer as an image file, by the path's ending: `.png` is its picture, `.exr` its raw values,
+/// `.svg` the reference's lines. Errors (input): another ending, `.svg` of another buffer; as
+/// `Pipeline::picture`; (work): the file cannot be written.
+void write_buffer(BufferSource& source, const Settings& settings, BufferName buffer,
+                  const std::filesystem::path& path);
 
 }  // namespace inkbench

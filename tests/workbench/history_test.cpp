@@ -219,5 +219,29 @@ TEST(History, a_long_walk_to_and_fro_ends_where_it_should) {
   EXPECT_GT(texts.size(), 20U);
 }
 
+TEST(History, where_settings_came_from_comes_back_with_them) {
+  History history(paper_settings());
+  EXPECT_EQ(history.origin(), 0U);
+  EXPECT_TRUE(history.record_from(1, with_k(0.001F), "open a"));
+  history.record(with_k(0.002F));
+  EXPECT_TRUE(history.record_from(2, with_k(0.003F + 0.001F), "open b"));
+  EXPECT_EQ(history.origin(), 2U);
+  history.undo();
+  EXPECT_EQ(history.origin(), 1U);
+  history.go_to(0);
+  EXPECT_EQ(history.origin(), 0U);
+  history.go_to(3);
+  EXPECT_EQ(history.origin(), 2U);
+}
+
+TEST(History, another_origin_of_equal_settings_is_no_step) {
+  History history(paper_settings());
+  history.record(with_k(0.001F));
+  history.undo();
+  EXPECT_FALSE(history.record_from(1, paper_settings(), "save"));
+  EXPECT_EQ(history.origin(), 1U);
+  EXPECT_TRUE(history.can_redo());
+}
+
 }  // namespace
 }  // namespace inkbench

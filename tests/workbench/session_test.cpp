@@ -14,10 +14,14 @@ using ::testing::StartsWith;
 Session busy_session() {
   Session session = first_session();
   session.settings.combine.k_depth = 0.1F / 3.0F;
-  session.layout = {
-      .width_px = 1000, .maximised = true, .left = 0.3F, .show_log = false, .theme = Theme::light};
+  session.layout = {.width_px = 1000,
+                    .maximised = true,
+                    .left = 0.3F,
+                    .show_log = false,
+                    .left_tab = LeftTab::history,
+                    .theme = Theme::light};
   session.recent = {"/a/b.toml", "/with \"quotes\"/ü.png"};
-  session.bookmarks = {{"front", {}}, {"front", {.eye = {1, 2, 3}, .fov = 60}}, {"", {}}};
+  session.bookmarks = {{"front", 1, {}}, {"front", 0, {.eye = {1, 2, 3}, .fov = 60}}, {"", 9, {}}};
   return session;
 }
 
@@ -28,13 +32,11 @@ TEST(Session, comes_back_equal) {
   EXPECT_EQ(text(again.settings), text(session.settings));
   EXPECT_EQ(again.scene, session.scene);
   EXPECT_EQ(again.recent, session.recent);
-  EXPECT_EQ(again.layout.width_px, 1000);
-  EXPECT_TRUE(again.layout.maximised);
-  EXPECT_EQ(again.layout.left, 0.3F);
-  EXPECT_FALSE(again.layout.show_log);
-  EXPECT_EQ(again.layout.theme, Theme::light);
+  EXPECT_EQ(again.layout, session.layout);
   ASSERT_THAT(again.bookmarks, SizeIs(3));
   EXPECT_EQ(again.bookmarks[1].name, "front");
+  EXPECT_EQ(again.bookmarks[0].key, 1);
+  EXPECT_EQ(again.bookmarks[2].key, 9);
   EXPECT_EQ(again.bookmarks[1].camera.eye, glm::vec3(1, 2, 3));
 }
 
@@ -62,9 +64,9 @@ TEST(Session, what_is_broken_is_named_by_line) {
   EXPECT_THAT(error("session = 1"), StartsWith("s.toml:1: session is a number"));
   EXPECT_THAT(error("[session.layout]\nwidth_px = 5"), StartsWith("s.toml:2: session.layout.width_px = 5"));
   EXPECT_THAT(error("[session.layout]\ntheme = \"grey\""), HasSubstr("one of: dark, light"));
-  EXPECT_THAT(error("[session.layout]\nzoom = 1"),
-              StartsWith("s.toml:2: unknown entry 'session.layout.zoom'"));
+  EXPECT_THAT(error("[session.layout]\nzoo = 1"), StartsWith("s.toml:2: unknown entry 'session.layout.zoo'"));
   EXPECT_THAT(error("[[session.bookmark]]\nfov = 500"), StartsWith("s.toml:2: session.bookmark.fov = 500"));
+  EXPECT_THAT(error("[[session.bookmark]]\nkey = 10"), StartsWith("s.toml:2: session.bookmark.key = 10"));
   EXPECT_THAT(error("[session]\n[combine]\nk_depth = 9"), StartsWith("s.toml:3: combine.k_depth = 9"));
   EXPECT_THAT(error("[session]\nscene = \n"), StartsWith("s.toml:2: not valid TOML"));
 }

@@ -1,0 +1,60 @@
+// Choosing a file inside the window: places on the left, a folder's files, a path to type. In: what is asked
+// for. Out: the path, once it is chosen.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/window/workbench.h"
+#include "app/workbench/folder_listing.h"
+
+namespace inkbench {
+
+struct ChooserQuestion {
+  std::string title, help, button;
+  std::vector<std::string_view> extensions;  ///< Of the files to list.
+  std::filesystem::path folder;              ///< Where to start; empty: the recent files.
+  bool saves = false;                        ///< A name is asked for that need not be there yet.
+  std::string name;                          ///< The one to begin with.
+};
+
+class FileChooser {
+ public:
+  void ask(ChooserQuestion question);
+  bool is_open() const { return asking_ || open_; }
+
+  /// Once a frame. `extras` draws more between list and buttons. Returns the path in the frame in which it is
+  /// chosen; when saving over a file, the person has agreed to it.
+  std::optional<std::filesystem::path> draw(Workbench& bench, const std::function<void()>& extras = {});
+
+  /// The name typed so far, when saving.
+  std::string& name() { return question_.name; }
+  const std::filesystem::path& folder() const { return listing_.folder; }
+
+ private:
+  void go_to(Workbench& bench, const std::filesystem::path& folder);
+  void draw_places(Workbench& bench);
+  void place(Workbench& bench, const char* name, const std::filesystem::path& folder);
+  void draw_path(Workbench& bench);
+  void draw_entries(Workbench& bench, float height);
+  void draw_entry(Workbench& bench, size_t index);
+  void move_by_keys(Workbench& bench);
+  void draw_buttons(Workbench& bench);
+  void activate(Workbench& bench, const std::filesystem::path& path);
+  void open_chosen(Workbench& bench);
+  void choose(const std::filesystem::path& path);
+  std::filesystem::path path_of(const FolderEntry& entry) const;
+
+  ChooserQuestion question_;
+  bool asking_ = false, open_ = false, focus_ = false, shows_recent_ = false, scroll_ = false;
+  FolderListing listing_;
+  std::optional<size_t> selected_;
+  std::string path_text_, problem_;
+  std::optional<std::filesystem::path> replaces_;  ///< Asked whether to write over it.
+  std::optional<std::filesystem::path> chosen_;
+};
+
+}  // namespace inkbench

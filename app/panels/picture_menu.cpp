@@ -1,0 +1,35 @@
+#include "app/panels/picture_menu.h"
+
+#include <imgui.h>
+
+#include "app/panels/file_dialogs.h"
+
+namespace inkbench {
+namespace {
+
+bool item(Workbench& bench, const char* label, const char* keys = nullptr, bool on = false) {
+  const bool chosen = ImGui::MenuItem(label, keys, on);
+  bench.ui_map.mark_item(std::string("menu:") + label);
+  return chosen;
+}
+
+}  // namespace
+
+void draw_picture_menu(Workbench& bench, BufferName buffer) {
+  const std::string id = "menu of " + std::string(name_of(buffer));
+  const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Right, 0.0F);
+  const bool clicked = ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&
+                       dragged.x == 0.0F && dragged.y == 0.0F && !ImGui::GetIO().KeyAlt;
+  if (clicked) ImGui::OpenPopup(id.c_str());
+  if (!ImGui::BeginPopup(id.c_str())) return;
+  bench.view.selected = buffer;
+  if (item(bench, "Save this picture...", "Ctrl+E")) bench.wanted_dialog = FileDialog::save_image;
+  if (item(bench, "Copy as a command", "Ctrl+Shift+C")) copy_render_command(bench);
+  ImGui::Separator();
+  if (item(bench, "Fill the window", nullptr, bench.view.filled == buffer))
+    bench.view.filled = bench.view.filled ? std::nullopt : std::optional(buffer);
+  if (item(bench, "Wireframe", "W", bench.view.wireframe)) bench.view.wireframe = !bench.view.wireframe;
+  ImGui::EndPopup();
+}
+
+}  // namespace inkbench

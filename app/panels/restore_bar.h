@@ -1,0 +1,11 @@
+// The question about unsaved work of a window that died; nothing waits for its answer.
+#pragma once
+
+#include "app/window/workbench.h"
+
+namespace inkbench {
+
+/// Draws into the current ImGui window; nothing where there is no such work.
+void draw_restore_bar(Workbench& bench);
+
+}  // namespace inkbench

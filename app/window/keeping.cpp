@@ -1,0 +1,119 @@
+#include "app/window/keeping.h"
+
+#include <utility>
+
+#include "app/window/workbench.h"
+#include "app/workbench/param_changes.h"
+#include "app/workbench/scene_base.h"
+#include "app/workbench/user_folder.h"
+#include "pipeline/base/error.h"
+
+namespace inkbench {
+namespace {
+
+constexpr double kAutosaveSeconds = 3.0;
+
+std::filesystem::path folder_or_none(std::vector<std::string>& notes) {
+  try {
+    return user_folder();
+  } catch (const Error& error) {
+    notes.emplace_back(error.what());
+    return {};
+  }
+}
+
+}  // namespace
+
+Keeping::Keeping() : folder_(folder_or_none(notes_)), presets_(folder_ / "presets") {
+  if (!folder_.empty()) store_ = std::make_unique<SessionStore>(folder_);
+}
+
+Session Keeping::start() {
+  Session session = store_ != nullptr ? store_->load() : first_session();
+  if (store_ != nullptr) {
+    notes_.insert(notes_.end(), store_->notes().begin(), store_->notes().end());
+    drop_known_work(session.settings);
+  }
+  kept_ = session;
+  saved_layout_ = session.layout;
+  return session;
+}
+
+/// Work that differs from what comes back anyway only in the window's sizes is not worth a question.
+void Keeping::drop_known_work(const Settings& settings) {
+  for (size_t i = store_->unsaved().size(); i-- > 0;) {
+    if (same_settings(store_->unsaved()[i].session.settings, settings)) store_->forget_unsaved(i);
+  }
+}
+
+std::span<const UnsavedWork> Keeping::unsaved() const {
+  return store_ != nullptr ? std::span(store_->unsaved()) : std::span<const UnsavedWork>();
+}
+
+Session Keeping::session_of(const Workbench& bench) const {
+  Session session = kept_;
+  session.settings = with_absolute_paths(bench.settings());
+  session.scene = bench.scene();
+  session.layout = bench.layout;
+  return session;
+}
+
+void Keeping::save_now(Workbench& bench) {
+  if (store_ == nullptr) return;
+  try {
+    store_->autosave(session_of(bench));
+  } catch (const Error& error) {
+    bench.tell(Severity::warning, error.what());
+  }
+}
+
+void Keeping::autosave(Workbench& bench, double now_seconds) {
+  const long revision = bench.revision() + own_revision_;
+  if (now_seconds < next_save_ || bench.is_editing()) return;
+  if (revision == saved_revision_ && bench.layout == saved_layout_) return;
+  save_now(bench);
+  saved_revision_ = revision;
+  saved_layout_ = bench.layout;
+  next_save_ = now_seconds + kAutosaveSeconds;
+}
+
+void Keeping::close(Workbench& bench) {
+  if (store_ == nullptr) return;
+  try {
+    store_->close(session_of(bench));
+  } catch (const Error& error) {
+    bench.tell(Severity::warning, error.what());
+  }
+}
+
+void Keeping::restore(Workbench& bench) {
+  if (unsaved().empty()) return;
+  const Session session = unsaved().front().session;
+  if (!bench.take_over(session.settings, session.scene, "restore unsaved work")) return;
+  bench.layout = session.layout;
+  if (!session.bookmarks.empty()) set_bookmarks(session.bookmarks);
+  save_now(bench);  // before the old autosave goes
+  discard();
+}
+
+void Keeping::discard() {
+  if (unsaved().empty()) return;
+  store_->forget_unsaved(0);
+}
+
+std::vector<std::string> Keeping::take_notes() {
+  return std::exchange(notes_, {});
+}
+
+void Keeping::add_recent(const std::filesystem::path& file) {
+  inkbench::add_recent(kept_, file);
+  ++own_revision_;
+}
+
+void Keeping::set_bookmarks(std::vector<CameraBookmark> bookmarks) {
+  bookmarks.resize(std::min(bookmarks.size(), kMaxBookmarks));
+  kept_.bookmarks = std::move(bookmarks);
+  ++own_revision_;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,108 @@
+// What opening a file does to the workbench, by what the file holds.
+#include <fmt/format.h>
+
+#include "app/window/workbench.h"
+#include "pipeline/base/error.h"
+#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/scene/replace_mesh.h"
+#include "pipeline/scene/settings_file.h"
+#include "studies/sweep/spec.h"
+
+namespace inkbench {
+namespace {
+
+std::string opening(const OpenedFile& file) {
+  return "open " + file.path.filename().string();
+}
+
+}  // namespace
+
+/// The baseline is what the file says now: what was changed since then is marked as changed.
+Workbench::Origin Workbench::origin_in(const std::filesystem::path& scene, const Settings& settings) {
+  if (scene.empty()) return {"unnamed", {}, settings};
+  Origin origin{scene.filename().string(), scene, settings};
+  try {
+    origin.baseline = load_settings(scene);
+  } catch (const Error&) {
+    // It changed or went away since; its settings are here.
+  }
+  return origin;
+}
+
+void Workbench::take_from(const Origin& origin, const Settings& next, const std::string& step) {
+  check_settings(next);
+  origins_.push_back(origin);
+  history_.record_from(origins_.size() - 1, next, step);
+  ++revision_;
+}
+
+bool Workbench::take_over(const Settings& next, const std::filesystem::path& scene, const std::string& step) {
+  try {
+    take_from(origin_in(scene, next), next, step);
+  } catch (const Error& error) {
+    set_problem(ProblemKind::input, error.what());
+    return false;
+  }
+  dismiss(ProblemKind::input);
+  return true;
+}
+
+void Workbench::take_mesh(const OpenedFile& file) {
+  load_mesh_file(file.path);  // a mesh that cannot be read is told before anything changes
+  Settings next = settings();
+  replace_main_mesh(next, file.path);
+  history_.record(std::move(next), opening(file));
+  ++revision_;
+}
+
+void Workbench::take(const OpenedFile& file) {
+  const std::string name = file.path.filename().string();
+  switch (file.kind) {
+    case FileKind::exported_image:
+      take_from({name, {}, *file.settings}, *file.settings, opening(file));
+      view.selected = *file.buffer;
+      if (view.filled) view.filled = *file.buffer;
+      return;
+    case FileKind::scene:
+    case FileKind::preset:
+      return take_from({name, file.path, *file.settings}, *file.settings, opening(file));
+    case FileKind::mesh:
+      return take_mesh(file);
+    case FileKind::ramp:
+    case FileKind::ramp_image: {
+      Settings next = settings();
+      next.ramp.diffuse = *file.ramp;
+      next.ramp.enabled = true;
+      history_.record(std::move(next), "diffuse ramp from " + name);
+      ++revision_;
+      return;
+    }
+    case FileKind::study:
+      if (on_study) return on_study(file);
+      take_from({name, {}, file.study->base}, file.study->base, "settings of the study " + name);
+      tell(Severity::note, fmt::format("these are the settings that '{}' starts from", file.study->title));
+      return;
+  }
+}
+
+void Workbench::open(const std::string& path) {
+  try {
+    const OpenedFile file = open_file(path);
+    if (is_editing()) end_edit();
+    take(file);
+    keeping.add_recent(file.path);
+    tell(Severity::note, fmt::format("opened {}, {}", file.path.string(), name_of(file.kind)));
+    dismiss(ProblemKind::input);
+  } catch (const Error& error) {
+    set_problem(ProblemKind::input, error.what());
+  }
+}
+
+void Workbench::saved_as(const std::filesystem::path& file) {
+  origins_.push_back({file.filename().string(), file, settings()});
+  history_.record_from(origins_.size() - 1, settings(), "");
+  ++revision_;
+  keeping.add_recent(file);
+}
+
+}  // namespace inkbench

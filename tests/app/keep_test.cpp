@@ -1,0 +1,257 @@
+// Keeping and moving: undo, presets, the session and what is left after a crash, opening and saving files,
+// views. All by mouse and keyboard.
+#include <signal.h>
+
+#include <fstream>
+#include <thread>
+
+#include "tests/app/app_test.h"
+#include "tests/cli/command.h"
+
+namespace inkbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// An argument that changes nothing: the program starts as it does without any.
+const std::vector<std::string> kNoArguments{"--frames", "1"};
+
+class AppKeep : public AppTest {
+ protected:
+  std::string k_normal(const Json& now) const { return parameter(now, "combine.k_normal"); }
+
+  /// Pulls the slider to that share; returns the value it has then.
+  std::string pull(double share, size_t steps) {
+    drag(place("bar:combine.k_normal", 0.5), place("bar:combine.k_normal", share));
+    return k_normal(wait_for("a step", [&](const Json& now) { return now["steps"].size() == steps; }));
+  }
+  Json wait_for_k(const std::string& value) {
+    return wait_for("combine.k_normal = " + value, [&](const Json& now) { return k_normal(now) == value; });
+  }
+
+  /// Types a path into the dialog for opening.
+  void open_by_dialog(const fs::path& path) {
+    keys("ctrl+o");
+    wait_for("the dialog", [](const Json& now) { return now["ui"].contains("chooser:ok"); });
+    settled();
+    type(path.string());
+    keys("Return");
+    wait_for("the dialog to close", [](const Json& now) { return !now["ui"].contains("chooser:ok"); });
+  }
+
+  /// Saves the buffer that is looked at under that name in the test's folder.
+  void save_picture(const std::string& name) {
+    keys("ctrl+e");
+    wait_for("the dialog", [](const Json& now) { return now["ui"].contains("chooser:name"); });
+    settled();
+    keys("ctrl+a");
+    type(name);
+    keys("Return");
+    wait_for("the file", [&](const Json& now) {
+      return !now["log"].empty() && now["log"].back().get<std::string>().ends_with(name);
+    });
+  }
+
+  fs::path render(const std::string& buffer, const std::string& format) {
+    const CommandResult result =
+        run_command({INKBENCH_EXECUTABLE, "render", "--scene", file("scene.toml").string(), "--buffers",
+                     buffer, "--format", format, "--out", file("out").string()},
+                    {.environment = environment_});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return file("out") / (buffer + "." + format);
+  }
+
+  /// The program, found by the state file that it was given; ended without a chance to tidy up.
+  void kill_program() {
+    const std::string mark = file("state.json").string();
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+      const std::string name = entry.path().filename().string();
+      if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+      const std::string command = bytes_of(entry.path() / "cmdline");
+      if (command.find(mark) != std::string::npos) kill(std::stoi(name), SIGKILL);
+    }
+    EXPECT_EQ(wait_for_end(), -1);
+  }
+
+  /// Until the autosave has that value.
+  void wait_for_autosave(const std::string& k) const {
+    const fs::path autosave = file("config") / "inkbench/windows/1/autosave.toml";
+    const auto saved = [&] { return bytes_of(autosave).find("k_normal = " + k + "\n") != std::string::npos; };
+    for (int i = 0; i < 500 && !saved(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ASSERT_TRUE(saved());
+  }
+};
+
+TEST_F(AppKeep, a_drag_is_one_step_that_undo_takes_back_and_redo_makes_again) {
+  open();
+  const std::string before = k_normal(state());
+  const std::string after = pull(0.2, 1);
+  EXPECT_NE(after, before);
+  keys("ctrl+z");
+  wait_for_k(before);
+  keys("ctrl+shift+z");
+  wait_for_k(after);
+  pull(0.8, 2);
+  click("tab:History");
+  wait_for("the history", [](const Json& now) { return now["ui"].contains("step:2"); });
+  click("step:0");
+  EXPECT_EQ(wait_for_k(before)["position"], 0);
+  click("step:1");
+  wait_for_k(after);
+}
+
+TEST_F(AppKeep, undo_of_opening_brings_the_scenes_name_back) {
+  open();
+  write("other.toml", "base = \"scene.toml\"\n[combine]\nk_normal = 0.5\n");
+  const std::string before = k_normal(state());
+  open_by_dialog(file("other.toml"));
+  EXPECT_EQ(wait_for_k("0.5")["scene"], "other.toml");
+  keys("ctrl+z");
+  EXPECT_EQ(wait_for_k(before)["scene"], "scene.toml");
+}
+
+TEST_F(AppKeep, session_comes_back_at_the_next_start) {
+  open();
+  const std::string k = pull(0.2, 1);
+  keys("ctrl+3");
+  wait_for("the bookmark", [](const Json& now) { return now["bookmarks"].size() == 1; });
+  click("tab:Views");
+  wait_for("the tab", [](const Json& now) { return now["layout"]["left_tab"] == "\"views\""; });
+  quit();
+  open(kNoArguments);
+  const Json again = state();
+  EXPECT_EQ(k_normal(again), k);
+  EXPECT_EQ(again["scene"], "scene.toml");
+  EXPECT_EQ(again["bookmarks"], Json::parse(R"([["View 3", 3]])"));
+  EXPECT_EQ(again["layout"]["left_tab"], "\"views\"");
+  EXPECT_EQ(again["unsaved"], 0);
+}
+
+TEST_F(AppKeep, work_of_a_killed_window_is_offered_and_restored) {
+  open();
+  const std::string k = pull(0.2, 1);
+  wait_for_autosave(k);
+  kill_program();
+  open(kNoArguments);
+  EXPECT_EQ(state()["unsaved"], 1);
+  EXPECT_NE(k_normal(state()), k);
+  click("restore");
+  EXPECT_EQ(wait_for_k(k)["unsaved"], 0);
+  quit();
+  open(kNoArguments);
+  EXPECT_EQ(k_normal(state()), k);
+  EXPECT_EQ(state()["unsaved"], 0);
+}
+
+TEST_F(AppKeep, work_of_a_killed_window_can_be_discarded) {
+  open();
+  wait_for_autosave(pull(0.2, 1));
+  kill_program();
+  open(kNoArguments);
+  const std::string before = k_normal(state());
+  click("discard");
+  EXPECT_EQ(k_normal(wait_for("an answer", [](const Json& now) { return now["unsaved"] == 0; })), before);
+  kill_program();
+  open(kNoArguments);
+  EXPECT_EQ(state()["unsaved"], 0);
+}
+
+TEST_F(AppKeep, a_preset_is_saved_compared_loaded_and_deleted) {
+  open();
+  const std::string before = k_normal(state());
+  click("tab:Presets");
+  wait_for("the panel", [](const Json& now) { return now["ui"].contains("preset:name"); });
+  click("preset:name");
+  type("one");
+  keys("Return");
+  const fs::path preset = file("config") / "inkbench/presets/one.toml";
+  wait_for("the preset", [](const Json& now) { return now["ui"].contains("preset=one"); });
+  EXPECT_TRUE(fs::exists(preset));
+  EXPECT_FALSE(settled()["ui"].contains("preset:copy table")) << "nothing differs yet";
+  click("tab:Parameters");
+  wait_for("the parameters", [](const Json& now) { return now["ui"].contains("bar:combine.k_normal"); });
+  pull(0.2, 1);
+  click("tab:Presets");
+  wait_for("a difference", [](const Json& now) { return now["ui"].contains("preset:copy table"); });
+  click("preset:load");
+  EXPECT_EQ(wait_for_k(before)["scene"], "one.toml");
+  settled();
+  click("preset:delete");
+  wait_for("the question", [](const Json& now) { return now["ui"].contains("preset:yes"); });
+  EXPECT_TRUE(fs::exists(preset));
+  click("preset:yes");
+  wait_for("the end of it", [](const Json& now) { return !now["ui"].contains("preset=one"); });
+  EXPECT_FALSE(fs::exists(preset));
+}
+
+TEST_F(AppKeep, saved_pictures_are_the_files_that_render_writes) {
+  open();
+  save_picture("a.png");
+  EXPECT_TRUE(bytes_of(file("a.png")) == bytes_of(render("final", "png")));
+  click("tile:depth_edges");
+  wait_for("the choice", [](const Json& now) { return now["view"]["selected"] == "depth_edges"; });
+  save_picture("b.exr");
+  EXPECT_TRUE(bytes_of(file("b.exr")) == bytes_of(render("depth_edges", "exr")));
+}
+
+TEST_F(AppKeep, an_exported_picture_brings_its_parameters_back) {
+  open();
+  const std::string k = pull(0.2, 1);
+  save_picture("a.png");
+  pull(0.8, 2);
+  open_by_dialog(file("a.png"));
+  EXPECT_EQ(wait_for_k(k)["recent"][0], file("a.png").string());
+}
+
+TEST_F(AppKeep, every_kind_of_file_does_its_own_and_a_bad_one_nothing) {
+  open();
+  write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  open_by_dialog(file("t.obj"));
+  wait_for("the mesh", [&](const Json& now) {
+    return parameter(now, "model.ball.mesh").find("t.obj") != std::string::npos;
+  });
+  write("ramp.toml", "stops = [{position = 0, colour = 1}, {position = 1, colour = [0, 0, 1]}]\n");
+  open_by_dialog(file("ramp.toml"));
+  wait_for("the ramp", [&](const Json& now) {
+    return now["steps"].size() == 2 && now["steps"][1] == "diffuse ramp from ramp.toml";
+  });
+  write("bad.toml", "[combine]\nk_norml = 1\n");
+  const Json before = settled();
+  open_by_dialog(file("bad.toml"));
+  const Json after = wait_for("the message", [](const Json& now) { return !now["problems"].empty(); });
+  EXPECT_NE(after["problems"][0].get<std::string>().find("bad.toml:2"), std::string::npos)
+      << after["problems"];
+  EXPECT_EQ(after["parameters"], before["parameters"]);
+  EXPECT_EQ(after["steps"], before["steps"]);
+}
+
+TEST_F(AppKeep, views_are_kept_under_digits_and_come_back) {
+  open();
+  const std::string eye = parameter(state(), "camera.eye");
+  keys("ctrl+2");
+  wait_for("the bookmark", [](const Json& now) { return now["bookmarks"].size() == 1; });
+  keys("Home");
+  wait_for("another camera", [&](const Json& now) { return parameter(now, "camera.eye") != eye; });
+  keys("shift+2");
+  wait_for("the camera", [&](const Json& now) { return parameter(now, "camera.eye") == eye; });
+}
+
+TEST_F(AppKeep, wireframe_is_only_looked_at) {
+  open();
+  const Json before = settled();
+  keys("w");
+  wait_for("the lines", [](const Json& now) { return now["view"]["wireframe"] == true; });
+  const Json after = settled();
+  EXPECT_EQ(after["parameters"], before["parameters"]);
+  EXPECT_EQ(after["pictures"], before["pictures"]);
+  EXPECT_EQ(runs(after, "gbuffer"), runs(before, "gbuffer"));
+  EXPECT_EQ(after["problems"], Json::array());
+}
+
+}  // namespace
+}  // namespace inkbench
