@@ -18,9 +18,6 @@ std::string bytes_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// An argument that changes nothing: the program starts as it does without any.
-const std::vector<std::string> kNoArguments{"--frames", "1"};
-
 class AppKeep : public AppTest {
  protected:
   std::string k_normal(const Json& now) const { return parameter(now, "combine.k_normal"); }
@@ -123,7 +120,7 @@ TEST_F(AppKeep, session_comes_back_at_the_next_start) {
   click("tab:Views");
   wait_for("the tab", [](const Json& now) { return now["layout"]["left_tab"] == "\"views\""; });
   quit();
-  open(kNoArguments);
+  open_with({});
   const Json again = state();
   EXPECT_EQ(k_normal(again), k);
   EXPECT_EQ(again["scene"], "scene.toml");
@@ -137,13 +134,13 @@ TEST_F(AppKeep, work_of_a_killed_window_is_offered_and_restored) {
   const std::string k = pull(0.2, 1);
   wait_for_autosave(k);
   kill_program();
-  open(kNoArguments);
+  open_with({});
   EXPECT_EQ(state()["unsaved"], 1);
   EXPECT_NE(k_normal(state()), k);
   click("restore");
   EXPECT_EQ(wait_for_k(k)["unsaved"], 0);
   quit();
-  open(kNoArguments);
+  open_with({});
   EXPECT_EQ(k_normal(state()), k);
   EXPECT_EQ(state()["unsaved"], 0);
 }
@@ -152,12 +149,12 @@ TEST_F(AppKeep, work_of_a_killed_window_can_be_discarded) {
   open();
   wait_for_autosave(pull(0.2, 1));
   kill_program();
-  open(kNoArguments);
+  open_with({});
   const std::string before = k_normal(state());
   click("discard");
   EXPECT_EQ(k_normal(wait_for("an answer", [](const Json& now) { return now["unsaved"] == 0; })), before);
   kill_program();
-  open(kNoArguments);
+  open_with({});
   EXPECT_EQ(state()["unsaved"], 0);
 }
 
