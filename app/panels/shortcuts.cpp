@@ -88,6 +88,7 @@ void change_text_size(Workbench& bench, float change) {
 
 ShortcutRequests handle_shortcuts(Workbench& bench) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (pressed(GLFW_KEY_PAUSE)) ++bench.marks;
   if (pressed(GLFW_KEY_F1)) bench.layout.show_welcome = !bench.layout.show_welcome;
   if (pressed(GLFW_KEY_F11)) bench.requests.toggle_full_screen = true;
   if (pressed(GLFW_KEY_F12)) bench.requests.screenshot = true;
