@@ -78,7 +78,10 @@ void draw_picture(Workbench& bench, const std::string& slot, const ComparedPictu
   bench.view.wanted_magnification.reset();
   bench.view.magnification = magnification(bench.view, frame);
   const PicturePoint corner = point_under(bench.view, frame, frame.left, frame.top);
-  const TilePlace place{corner.x, corner.y, 1.0 / magnification(bench.view, frame)};
+  // The picture's corner on a whole window pixel: one to one is exactly that, and magnified pixels are even.
+  const double scale = magnification(bench.view, frame);
+  const TilePlace place{std::round(corner.x * scale) / scale, std::round(corner.y * scale) / scale,
+                        1.0 / scale};
   const Texture& tile = bench.tiles.paint(slot, *shown.texture, shown.key, place, width, height,
                                           overlay_for(bench, which, *shown.texture));
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -105,6 +105,7 @@ void change_text_size(Workbench& bench, float change) {
 
 ShortcutRequests handle_shortcuts(Workbench& bench) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (pressed(GLFW_KEY_PAUSE)) ++bench.marks;
   if (handle_keep_shortcuts(bench)) return {};
   if (pressed(GLFW_KEY_F1)) bench.layout.show_welcome = !bench.layout.show_welcome;
   if (pressed(GLFW_KEY_F3)) bench.studies.page_open = !bench.studies.page_open;

@@ -56,7 +56,12 @@ void pass_row(const std::string& name, const PassTime& time, const StageCount* c
   if (count != nullptr) right_text(with_commas(count->reuses), theme().faint);
 }
 
-void head() {
+/// Columns that a narrow panel leaves out.
+bool is_spare(int column) {
+  return column == 3 || column == 4 || column == 6;
+}
+
+void head(bool narrow) {
   constexpr std::array<std::pair<const char*, float>, 7> kColumns{{{"pass", 84},
                                                                    {"last change", 84},
                                                                    {"ms", 42},
@@ -64,11 +69,14 @@ void head() {
                                                                    {"##bar", 0},
                                                                    {"runs", 40},
                                                                    {"reuses", 52}}};
-  for (const auto& [name, width] : kColumns) {
+  for (size_t i = 0; i < kColumns.size(); ++i) {
+    const auto& [name, width] = kColumns[i];
     const bool stretches = width == 0.0F;
     ImGui::TableSetupColumn(name,
                             stretches ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed,
                             scaled(width));
+    const int column = static_cast<int>(i);
+    ImGui::TableSetColumnEnabled(column, !narrow || !is_spare(column));
   }
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableNextRow();
@@ -95,10 +103,11 @@ void draw_timings(Workbench& bench) {
   double longest = 0.0;
   for (const auto& [name, time] : passes) longest = std::max(longest, time.last_ms);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(scaled(5), scaled(1)));
-  const bool open = ImGui::BeginTable("timings", 7, ImGuiTableFlags_ScrollY);
+  const bool narrow = ImGui::GetContentRegionAvail().x < scaled(430);
+  const bool open = ImGui::BeginTable("timings", 7, ImGuiTableFlags_ScrollY | ImGuiTableFlags_Hideable);
   ImGui::PopStyleVar();
   if (!open) return;
-  head();
+  head(narrow);
   for (const auto& [name, time] : passes) {
     const auto count = counts.find(name);
     pass_row(name, time, count == counts.end() ? nullptr : &count->second, longest);

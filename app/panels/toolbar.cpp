@@ -34,7 +34,7 @@ void picture_combo(Workbench& bench, const char* id, ComparedPicture& which) {
   const auto text = [&](const ComparedPicture& one) {
     return std::string(name_of(one.buffer)) + (one.pinned ? ", pinned" : "");
   };
-  ImGui::SetNextItemWidth(scaled(136));
+  ImGui::SetNextItemWidth(scaled(107));
   const bool open = ImGui::BeginCombo(id, text(which).c_str(), ImGuiComboFlags_HeightLargest);
   bench.ui_map.mark_item(id);
   if (!open) return;
@@ -82,7 +82,12 @@ void mouse_tools(Workbench& bench) {
   const float width = button_width("Mesh") + spacing + button_width("View") + button_width("Camera") +
                       button_width("Fit") + button_width("1:1") + 3 * spacing + 2;
   const float place = ImGui::GetWindowContentRegionMax().x - width;
-  ImGui::SameLine(std::max(place, ImGui::GetCursorPosX()));
+  ImGui::SameLine();
+  if (place > ImGui::GetCursorPosX()) {
+    ImGui::SetCursorPosX(place);
+  } else {
+    ImGui::NewLine();  // where there is no room beside the others, below them
+  }
   if (toggle_button("Mesh", view.wireframe, "The triangles of the meshes over the pictures (W)."))
     view.wireframe = !view.wireframe;
   bench.ui_map.mark_item("wireframe");

@@ -107,6 +107,7 @@ Json log_of(const MessageLog& log) {
 std::string state_text(const Workbench& bench) {
   Json json{{"scene", bench.scene_name()},
             {"steps", bench.history().step_names()},
+            {"marks", bench.marks},
             {"text_field", ImGui::GetIO().WantTextInput},
             {"position", bench.history().position()},
             {"frames", bench.frame_times.frames},

@@ -130,7 +130,8 @@ class Workbench {
   WindowRequests requests;
   std::optional<FileDialog> wanted_dialog;
   FrameTimes frame_times;
-  PassTimer timer;         ///< Of the pipeline's passes.
+  long marks = 0;   ///< Presses of the Pause key: a test that sees its own knows that all before it is done.
+  PassTimer timer;  ///< Of the pipeline's passes.
   PassTimer window_timer;  ///< Of the tiles and the window itself.
   Pictures pictures;
   Studies studies;

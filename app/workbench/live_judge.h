@@ -32,12 +32,6 @@ struct JudgeRequest {
   double tolerance_px = kTolerancePx;
 };
 
-/// A level against the full mesh, by the names of a study's measures.
-struct LadderJudgement {
-  double f1_geometry = 0, f1_end_to_end = 0;
-  std::optional<double> internal_kept, internal_new;
-};
-
 struct Judgement {
   uint64_t id = 0;
   std::string error;  ///< Why there is nothing else; "" as a rule.

@@ -26,7 +26,7 @@ struct WindowLayout {
   int height_px = 800;
   bool maximised = false;
   float left = 0.24F;
-  float right = 0.22F;
+  float right = 0.21F;
   float bottom = 0.21F;
   bool show_parameters = true;
   bool show_inspector = true;

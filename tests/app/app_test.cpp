@@ -89,6 +89,7 @@ void AppTest::open_with(const std::vector<std::string>& arguments, bool close_ke
   std::vector<std::string> command{INKBENCH_EXECUTABLE, "app",          "--size",
                                    "1100x720",          "--state-file", file("state.json").string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
+  marks_ = 0;
   process_ = start_program(command, environment_, folder_.path().string(), file("output.txt").string());
   settled();
   if (!close_keys_page || state().at("layout").at("show_welcome") != "true") return;
@@ -112,7 +113,7 @@ int AppTest::wait_for_end() {
 }
 
 void AppTest::quit() {
-  keys("ctrl+q");
+  xdotool({"key", "ctrl+q"});
   EXPECT_EQ(wait_for_end(), 0);
 }
 
@@ -159,23 +160,30 @@ void AppTest::xdotool(const std::vector<std::string>& words) {
   CommandOptions options;
   options.environment["DISPLAY"] = display().name();
   const CommandResult result = run_command(command, options);
-  ASSERT_EQ(result.status, 0) << "xdotool (Debian's package xdotool): " << result.err;
+  if (result.status != 0) throw std::runtime_error("xdotool (Debian's package xdotool): " + result.err);
+}
+
+void AppTest::input(std::vector<std::string> words) {
+  words.insert(words.end(), {"key", "Pause"});
+  xdotool(words);
+  ++marks_;
+  wait_for("the mouse and keyboard", [&](const Json& now) { return now["marks"] == marks_; });
 }
 
 void AppTest::move_to(const Place& place) {
-  xdotool({"mousemove", std::to_string(place.x), std::to_string(place.y)});
+  input({"mousemove", std::to_string(place.x), std::to_string(place.y)});
 }
 
 void AppTest::click(const std::string& widget, int button) {
   const Place at = place(widget);
-  xdotool({"mousemove", std::to_string(at.x), std::to_string(at.y), "click", std::to_string(button)});
+  input({"mousemove", std::to_string(at.x), std::to_string(at.y), "click", std::to_string(button)});
 }
 
 void AppTest::type_over(const std::string& widget, const std::string& text) {
-  xdotool({"keydown", "ctrl"});
+  input({"keydown", "ctrl"});
   click(widget);
   wait_for_text_field();
-  xdotool({"keyup", "ctrl"});
+  input({"keyup", "ctrl"});
   type(text);
   keys("Return");
 }
@@ -193,7 +201,7 @@ void AppTest::drag(const Place& from, const Place& to, int button) {
                                text(from.y + (to.y - from.y) * i / steps), "sleep", "0.02"});
   }
   words.insert(words.end(), {"mouseup", text(button)});
-  xdotool(words);
+  input(words);
 }
 
 }  // namespace inkbench

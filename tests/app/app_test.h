@@ -57,14 +57,19 @@ class AppTest : public testing::Test {
 
   /// Runs xdotool with these words.
   void xdotool(const std::vector<std::string>& words);
+  /// The same, and waits until the window has taken it all in.
+  void input(std::vector<std::string> words);
   void move_to(const Place& place);
   void click(const std::string& widget, int button = 1);
   /// Ctrl and click on a number, then its new text.
   void type_over(const std::string& widget, const std::string& text);
   void wait_for_text_field();
   void drag(const Place& from, const Place& to, int button = 1);
-  void keys(const std::string& keys) { xdotool({"key", keys}); }
-  void type(const std::string& text) { xdotool({"type", "--delay", "15", text}); }
+  void keys(const std::string& keys) { input({"key", keys}); }
+  void type(const std::string& text) {
+    xdotool({"type", "--delay", "15", text});
+    input({});
+  }
 
   std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
   void write(const std::string& name, const std::string& text) { folder_.write(name, text); }
@@ -75,6 +80,7 @@ class AppTest : public testing::Test {
  private:
   TemporaryFolder folder_;
   pid_t process_ = -1;
+  long marks_ = 0;  ///< How often `input` was called.
 };
 
 }  // namespace inkbench

@@ -33,13 +33,13 @@ TEST_F(AppView, number_key_fills_the_window_and_escape_goes_back) {
 TEST_F(AppView, double_click_fills_and_goes_back) {
   open();
   const Place at = place("tile:depth");
-  xdotool({"mousemove", std::to_string(at.x), std::to_string(at.y), "click", "--repeat", "2", "--delay", "60",
-           "1"});
+  input({"mousemove", std::to_string(at.x), std::to_string(at.y), "click", "--repeat", "2", "--delay", "60",
+         "1"});
   wait_for("the buffer", [](const Json& now) { return now["view"]["filled"] == "depth"; });
   settled();
   const Place big = place("tile:depth");
-  xdotool({"mousemove", std::to_string(big.x), std::to_string(big.y), "click", "--repeat", "2", "--delay",
-           "60", "1"});
+  input({"mousemove", std::to_string(big.x), std::to_string(big.y), "click", "--repeat", "2", "--delay", "60",
+         "1"});
   wait_for("the sheet", [](const Json& now) { return now["view"]["filled"] == ""; });
 }
 
@@ -48,7 +48,7 @@ TEST_F(AppView, wheel_zooms_and_drag_pans_all_pictures_without_a_pass) {
   const Place at = place("tile:final", 0.25, 0.25);
   move_to(at);
   const long runs_before = all_runs(settled());
-  xdotool({"click", "--repeat", "6", "--delay", "20", "4"});
+  input({"click", "--repeat", "6", "--delay", "20", "4"});
   wait_for("zoom", [](const Json& now) { return now["view"]["zoom"] > 2.9; });
   const Json zoomed = settled();
   EXPECT_NEAR(zoomed["view"]["zoom"].get<double>(), std::pow(1.2, 6), 1e-6);
@@ -62,9 +62,9 @@ TEST_F(AppView, alt_drag_turns_the_camera_about_its_target) {
   open();
   const Json before = state();
   const Place at = place("tile:final");
-  xdotool({"keydown", "alt"});
+  input({"keydown", "alt"});
   drag(at, {at.x + 24, at.y - 6});
-  xdotool({"keyup", "alt"});
+  input({"keyup", "alt"});
   wait_for("the camera",
            [&](const Json& now) { return parameter(now, "camera.eye") != parameter(before, "camera.eye"); });
   const Json after = settled();

@@ -42,7 +42,7 @@ TEST_F(AppWindow, next_start_brings_back_settings_dividers_and_theme) {
 
 TEST_F(AppWindow, draws_nothing_and_computes_nothing_while_nothing_happens) {
   open();
-  xdotool({"mousemove", "5", "715"});
+  input({"mousemove", "5", "715"});
   settled();
   std::this_thread::sleep_for(std::chrono::seconds(1));
   const long frames = settled()["frames"];
