@@ -31,6 +31,7 @@ Workbench::Workbench(const Session& session, Keeping& kept)
   set_log_sink([this](const std::string& text) { log.add(Severity::note, text); });
   pictures.pipeline().observe(&timer);
   tiles.observe(&window_timer);
+  on_study = [this](const OpenedFile& file) { studies.open_spec(file.path); };
 }
 
 Workbench::~Workbench() {
