@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/panels/edit_menu.h"
-#include "app/panels/shortcuts.h"
 #include "app/panels/shaders_menu.h"
+#include "app/panels/shortcuts.h"
 #include "app/window/theme.h"
 #include "pipeline/base/files.h"
 

@@ -42,7 +42,7 @@ void pass_row(const std::string& name, const PassTime& time, const StageCount* c
   ImGui::TableNextColumn();
   const bool ever = time.ran || time.last_ms > 0.0;
   std::string what = time.ran ? "ran" : (ever ? "reused" : "not needed");
-  if (time.ran && time.runs_in_frame > 1) what += fmt::format(" {}x", time.runs_in_frame);
+  if (time.ran && time.runs_in_change > 1) what += fmt::format(" {}x", time.runs_in_change);
   coloured_text(time.ran ? theme().accent : theme().faint, what);
   ImGui::TableNextColumn();
   right_text(ms_text(time.last_ms), time.ran ? theme().text : theme().faint);

@@ -27,16 +27,16 @@ GLuint PassTimer::take_query() {
 }
 
 void PassTimer::note_run(const std::string& name) {
-  if (last_run_frame_ != frame_) {
+  if (last_run_change_ != change_) {
     for (auto& [other, record] : records_) {
       record.time.ran = false;
-      record.time.runs_in_frame = 0;
+      record.time.runs_in_change = 0;
     }
-    last_run_frame_ = frame_;
+    last_run_change_ = change_;
   }
   PassTime& time = records_[name].time;
   time.ran = true;
-  ++time.runs_in_frame;
+  ++time.runs_in_change;
 }
 
 void PassTimer::begin_pass(std::string_view name) {
@@ -69,8 +69,9 @@ void PassTimer::finish(const Span& span) {
   record.measured = true;
 }
 
-void PassTimer::begin_frame() {
+void PassTimer::begin_frame(long change) {
   ++frame_;
+  change_ = change;
   while (!waiting_.empty()) {
     GLint arrived = GL_FALSE;
     glGetQueryObjectiv(waiting_.front().end, GL_QUERY_RESULT_AVAILABLE, &arrived);

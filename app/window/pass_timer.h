@@ -16,8 +16,8 @@ namespace inkbench {
 struct PassTime {
   double last_ms = 0.0;  ///< All runs within one frame together.
   double mean_ms = 0.0;  ///< Over the last runs, the newest counting most.
-  bool ran = false;      ///< In the last frame in which any pass ran.
-  int runs_in_frame = 0;
+  bool ran = false;      ///< Since the last change after which any pass ran.
+  int runs_in_change = 0;
 };
 
 class PassTimer : public PassObserver {
@@ -31,7 +31,8 @@ class PassTimer : public PassObserver {
   void end_pass() override;
 
   /// Before a frame's first pass: takes in the times that have arrived.
-  void begin_frame();
+  /// `change` is another number once what is drawn has changed.
+  void begin_frame(long change);
   /// Whether times are still on their way.
   bool is_waiting() const { return !waiting_.empty(); }
   /// Of a pass that never ran: all zero.
@@ -53,7 +54,8 @@ class PassTimer : public PassObserver {
   void finish(const Span& span);
 
   long frame_ = 0;
-  long last_run_frame_ = 0;
+  long change_ = 0;
+  long last_run_change_ = -1;
   std::deque<Span> waiting_;
   std::vector<GLuint> idle_;
   std::map<std::string, Record> records_;

@@ -99,9 +99,11 @@ Key Workbench::drawn_state() const {
 }
 
 void Workbench::refresh() {
-  timer.begin_frame();
-  window_timer.begin_frame();
   const Key state = drawn_state();
+  if (drawn_state_ != state) ++drawn_changes_;
+  drawn_state_ = state;
+  timer.begin_frame(drawn_changes_);
+  window_timer.begin_frame(frame_times.frames);
   if (failed_ == state) return;
   try {
     const bool hurry = is_editing() || frame_times.frames == 0;

@@ -163,6 +163,8 @@ class Workbench {
   std::optional<Settings> last_good_;
   std::optional<Key> failed_;  ///< What could not be drawn: not tried again until something changes.
   long files_revision_ = 0;
+  Key drawn_state_;  ///< In the last frame.
+  long drawn_changes_ = 0;
   std::string files_state_;
   std::map<ProblemKind, std::string> problems_;
   double wake_seconds_;

@@ -37,7 +37,7 @@ struct Judgement {
   std::string error;  ///< Why there is nothing else; "" as a rule.
   Measures measures;
   std::array<std::optional<double>, kLineClasses.size()>
-      recall;                             ///< By class; none where the view has no such line.
+      recall;                            ///< By class; none where the view has no such line.
   std::optional<LadderMeasures> ladder;  ///< Where the request had a full mesh.
   MatchMaps maps;
   double seconds = 0;  ///< That it took.
