@@ -36,7 +36,7 @@ void SessionStore::take_places() {
       place.lock = std::make_unique<FolderLock>(place.folder);
     } catch (const Error& cause) {
       trouble = cause.what();  // held by a living window, or not to be written
-      if (is_there) continue;
+      if (fs::is_directory(place.folder, error)) continue;  // by now, where another window was faster
       break;
     }
     if (is_file(place.file())) {
