@@ -35,7 +35,7 @@ void SessionStore::take_places() {
     try {
       place.lock = std::make_unique<FolderLock>(place.folder);
     } catch (const Error& cause) {
-      trouble = cause.what();  // held by a living window, or not to be written
+      trouble = cause.what();                               // held by a living window, or not to be written
       if (fs::is_directory(place.folder, error)) continue;  // by now, where another window was faster
       break;
     }
