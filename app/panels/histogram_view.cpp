@@ -54,19 +54,18 @@ ShownRange shown_range(Workbench& bench, BufferName buffer) {
   return Pipeline::gain_range(bench.settings(), buffer);
 }
 
-/// Whether there is a histogram of this buffer, though perhaps of the settings before a drag.
-bool HistogramView::refresh(Workbench& bench, BufferName buffer) {
+/// Of the settings that are drawn; where that takes long, after a drag only.
+void HistogramView::refresh(Workbench& bench, const Settings& drawn, BufferName buffer) {
   Pipeline& pipeline = bench.pictures.pipeline();
-  const Key key = KeyBuilder().add(name_of(buffer)).add(pipeline.buffer_key(bench.settings(), buffer)).key();
-  if (key == key_) return true;
+  const Key key = KeyBuilder().add(name_of(buffer)).add(pipeline.buffer_key(drawn, buffer)).key();
+  if (key == key_) return;
   const bool same = buffer == buffer_ && !histogram_.channels.empty();
-  if (same && bench.is_editing() && took_ms_ > kLongMs) return true;
+  if (same && bench.is_editing() && took_ms_ > kLongMs) return;
   const auto start = std::chrono::steady_clock::now();
-  histogram_ = histogram_of(pipeline.raw(bench.settings(), buffer), kBins);
+  histogram_ = histogram_of(pipeline.raw(drawn, buffer), kBins);
   took_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   key_ = key;
   buffer_ = buffer;
-  return true;
 }
 
 void HistogramView::drag_marks(Workbench& bench, BufferName buffer, const ShownRange& range, ImVec2 low,
@@ -96,8 +95,9 @@ void HistogramView::drag_marks(Workbench& bench, BufferName buffer, const ShownR
 }
 
 void HistogramView::draw(Workbench& bench, BufferName buffer) {
+  if (!bench.drawn_settings()) return;
   try {
-    refresh(bench, buffer);
+    refresh(bench, *bench.drawn_settings(), buffer);
   } catch (const Error&) {
     return;  // told by the banner
   }

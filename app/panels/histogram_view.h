@@ -17,7 +17,7 @@ class HistogramView {
   struct Axis {
     float low = 0.0F, high = 1.0F;
   };
-  bool refresh(Workbench& bench, BufferName buffer);
+  void refresh(Workbench& bench, const Settings& drawn, BufferName buffer);
   void drag_marks(Workbench& bench, BufferName buffer, const ShownRange& range, ImVec2 low, ImVec2 high);
 
   ValueHistogram histogram_;

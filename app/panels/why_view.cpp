@@ -124,8 +124,8 @@ void draw_term(const char* name, const TermWhy& term, const Neighbourhood& value
   }
 }
 
-void draw_probed(Workbench& bench, const ProbedPixel& probed) {
-  const std::vector<std::string> names = object_names(bench.settings());
+void draw_probed(const Settings& drawn, const ProbedPixel& probed) {
+  const std::vector<std::string> names = object_names(drawn);
   wrapped(verdict_text(probed.why), theme().text);
   draw_sum(probed.why);
   draw_term("Depth term", probed.why.depth, probed.depth_edges, true, names);
@@ -145,9 +145,12 @@ void draw_why(Workbench& bench) {
   ImGui::Text("Why pixel %d, %d?", x, y);
   ImGui::PopFont();
   bench.ui_map.mark_item("why");
-  if (bench.problems().contains(ProblemKind::drawing)) return;
+  const std::optional<Settings>& drawn = bench.drawn_settings();
+  if (bench.problems().contains(ProblemKind::drawing) || !drawn) return;
+  if (x >= drawn->image.width || y >= drawn->image.height)
+    return;  // the larger image comes with the next frame
   try {
-    draw_probed(bench, bench.probe.probe(bench.pictures.pipeline(), bench.settings(), x, y));
+    draw_probed(*drawn, bench.probe.probe(bench.pictures.pipeline(), *drawn, x, y));
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }

@@ -147,10 +147,17 @@ bool Workbench::poll_files() {
     set_problem(ProblemKind::shader, error.what());
     changed = true;
   }
-  // Settings that changed since the last look are not a file's doing; drawing them anew is only a lookup.
-  changed |= files_state_ != std::exchange(files_state_, files_state());
+  changed |= take_files_state();
   if (changed) ++files_revision_;
   return changed;
+}
+
+/// Whether the files hold something else than at the last look, which must have been for the same settings:
+/// what changed settings change is not a file's doing.
+bool Workbench::take_files_state() {
+  const std::string last_settings = std::exchange(files_settings_, settings_text(settings()));
+  const std::string last_state = std::exchange(files_state_, files_state());
+  return last_settings == files_settings_ && last_state != files_state_;
 }
 
 bool Workbench::is_listed(BufferName buffer) const {

@@ -101,7 +101,8 @@ class Workbench {
   bool poll_files();
   /// Another number after each such edit.
   long files_revision() const { return files_revision_; }
-  /// The settings of the pictures that are shown.
+  /// The settings of the pictures that are shown. Panels read pixels of these: others would run a pass in the
+  /// middle of the frame.
   const std::optional<Settings>& drawn_settings() const { return last_good_; }
   /// The buffers that the sheet shows, or those that fill the window.
   std::array<bool, kBufferCount> wanted_buffers() const;
@@ -156,6 +157,7 @@ class Workbench {
   void take_from(const Origin& origin, const Settings& settings, const std::string& step);
   Key drawn_state() const;
   std::string files_state();
+  bool take_files_state();
 
   History history_;
   std::vector<Origin> origins_;  ///< By the numbers that the history knows.
@@ -165,7 +167,7 @@ class Workbench {
   long files_revision_ = 0;
   Key drawn_state_;  ///< In the last frame.
   long drawn_changes_ = 0;
-  std::string files_state_;
+  std::string files_settings_, files_state_;  ///< At the last look.
   std::map<ProblemKind, std::string> problems_;
   double wake_seconds_;
 };

@@ -24,6 +24,7 @@ TEST_F(AppParameters, dragging_k_changes_the_lines_and_runs_only_what_lies_below
     EXPECT_EQ(runs(after, pass), runs(before, pass)) << pass;
   EXPECT_GT(runs(after, "combine"), runs(before, "combine"));
   EXPECT_GT(runs(after, "ink"), runs(before, "ink"));
+  EXPECT_TRUE(after["passes"]["combine"]["ran"]);
   EXPECT_FALSE(after["passes"]["gbuffer"]["ran"]);
   EXPECT_EQ(after["steps"].size(), 1U) << "a drag is one step";
 }
