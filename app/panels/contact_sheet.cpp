@@ -65,8 +65,7 @@ void draw_fit_button(Workbench& bench, BufferName buffer, ImVec2 right_top, floa
   const float width = ImGui::CalcTextSize("fit").x + scaled(8);
   ImGui::SetCursorScreenPos({right_top.x - width, right_top.y});
   const std::string id = "fit:" + std::string(name_of(buffer));
-  if (ImGui::InvisibleButton(id.c_str(), {width, height}))
-    choice.kind = fitted ? PictureChoice::Kind::gains : PictureChoice::Kind::fitted;
+  if (ImGui::InvisibleButton(id.c_str(), {width, height})) toggle_fit(choice);
   bench.ui_map.mark_item(id);
   ImU32 colour = fitted ? theme().accent : theme().faint;
   if (ImGui::IsItemHovered()) colour = theme().text;
@@ -76,10 +75,6 @@ void draw_fit_button(Workbench& bench, BufferName buffer, ImVec2 right_top, floa
   help_for_item("Show the smallest value as black and the largest as white. Files keep the display gains.");
 }
 
-bool can_fit(BufferName buffer) {
-  return buffer != BufferName::object_id && buffer != BufferName::reference;
-}
-
 void draw_caption(Workbench& bench, BufferName buffer, const TileRect& picture, bool hovered) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float top = picture.low.y - caption_height();
@@ -87,14 +82,16 @@ void draw_caption(Workbench& bench, BufferName buffer, const TileRect& picture, 
   const auto index = static_cast<size_t>(buffer);
   const ShownPicture& shown = bench.pictures.shown(buffer, false);
   float right = picture.high.x;
-  if (can_fit(buffer)) {
-    const bool fitted = bench.pictures.choice(buffer).kind == PictureChoice::Kind::fitted;
-    draw_fit_button(bench, buffer, {right, top}, caption_height(), hovered);
-    if (fitted || hovered) right -= ImGui::CalcTextSize("fit").x + scaled(10);
-  }
   float x = picture.low.x + scaled(1);
   list.AddText({x, text_y}, theme().faint, number_key(index).c_str());
   x += ImGui::CalcTextSize("0").x + scaled(6);
+  const float button = ImGui::CalcTextSize("fit").x + scaled(10);
+  const bool fitted = bench.pictures.choice(buffer).kind == PictureChoice::Kind::fitted;
+  const bool has_room = ImGui::CalcTextSize(name_of(buffer).data()).x + button <= right - x;
+  if (has_range(buffer) && (fitted || has_room)) {  // else the picture's menu has it
+    draw_fit_button(bench, buffer, {right, top}, caption_height(), hovered);
+    if (fitted || hovered) right -= button;
+  }
   const ImU32 colour = bench.view.selected == buffer ? theme().accent : theme().text;
   x += draw_fitted_text(list, {x, text_y}, right - x, colour, name_of(buffer)) + scaled(8);
   const std::string note = range_note(shown);

@@ -52,10 +52,6 @@ void draw_choice(Workbench& bench, BufferName buffer) {
   bench.ui_map.mark_item("picture choice");
 }
 
-bool has_values(BufferName buffer) {
-  return buffer != BufferName::object_id && buffer != BufferName::reference;
-}
-
 void draw_buffer(Workbench& bench, BufferName buffer) {
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted(name_of(buffer).data());
@@ -67,7 +63,7 @@ void draw_buffer(Workbench& bench, BufferName buffer) {
   if (shown.texture != nullptr)
     faint_text(fmt::format("{} × {} px", shown.texture->width_px(), shown.texture->height_px()));
   ImGui::Dummy({0, scaled(2)});
-  if (has_values(buffer)) draw_choice(bench, buffer);
+  if (has_range(buffer)) draw_choice(bench, buffer);
 }
 
 void value_row(Workbench& bench, BufferName buffer, const HoveredPixel& pixel) {
@@ -135,7 +131,7 @@ void InspectorPanel::draw(Workbench& bench) {
     divide();
   }
   draw_buffer(bench, selected);
-  if (can_draw && has_values(selected)) histogram_.draw(bench, selected);
+  if (can_draw && has_range(selected)) histogram_.draw(bench, selected);
   divide();
   if (can_draw) draw_pixel(bench);
   if (bench.view.marked) return;

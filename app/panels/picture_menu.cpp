@@ -28,6 +28,9 @@ void draw_picture_menu(Workbench& bench, BufferName buffer) {
   ImGui::Separator();
   if (item(bench, "Fill the window", nullptr, bench.view.filled == buffer))
     bench.view.filled = bench.view.filled ? std::nullopt : std::optional(buffer);
+  PictureChoice& choice = bench.pictures.choice(buffer);
+  const bool fitted = choice.kind == PictureChoice::Kind::fitted;
+  if (has_range(buffer) && item(bench, "Fit the range", nullptr, fitted)) toggle_fit(choice);
   if (item(bench, "Wireframe", "W", bench.view.wireframe)) bench.view.wireframe = !bench.view.wireframe;
   ImGui::EndPopup();
 }

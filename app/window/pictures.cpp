@@ -51,6 +51,11 @@ ShownRange range_of(const Image& image) {
 
 }  // namespace
 
+void toggle_fit(PictureChoice& choice) {
+  const bool fitted = choice.kind == PictureChoice::Kind::fitted;
+  choice.kind = fitted ? PictureChoice::Kind::gains : PictureChoice::Kind::fitted;
+}
+
 Pictures::Pictures() : reference_ms_(std::numeric_limits<double>::infinity()) {}
 
 const ShownPicture& Pictures::shown(BufferName buffer, bool pinned) const {

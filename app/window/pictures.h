@@ -28,6 +28,14 @@ struct PictureChoice {
   ShownRange fixed;
 };
 
+/// Whether it can be chosen which values are black and white.
+constexpr bool has_range(BufferName buffer) {
+  return buffer != BufferName::object_id && buffer != BufferName::reference;
+}
+
+/// From any range to the fitted one, and from that to the display gains.
+void toggle_fit(PictureChoice& choice);
+
 class Pictures {
  public:
   /// Needs a current OpenGL 4.5 context for its whole life. Errors (input): a shader does not compile.

@@ -98,6 +98,15 @@ void AppTest::open_with(const std::vector<std::string>& arguments, bool close_ke
            [](const Json& now) { return now.at("layout").at("show_welcome") == "false"; });
 }
 
+long AppTest::resident_kb() const {
+  std::istringstream status(text_of("/proc/" + std::to_string(process_) + "/status"));
+  const std::string name = "VmRSS:";
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(name)) return std::stol(line.substr(name.size()));
+  }
+  throw std::runtime_error("the program is gone");
+}
+
 int AppTest::wait_for_end() {
   const auto start = Clock::now();
   int status = 0;

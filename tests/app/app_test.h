@@ -71,6 +71,9 @@ class AppTest : public testing::Test {
     input({});
   }
 
+  /// Memory of the program that is in use.
+  long resident_kb() const;
+
   std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
   void write(const std::string& name, const std::string& text) { folder_.write(name, text); }
   std::string small_scene() const;

@@ -105,7 +105,8 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
   ASSERT_EQ(needs.size(), kFramebufferCount);
   for (const auto& [buffer, expected] : needs) {
     Pipeline pipeline;
-    EXPECT_EQ(passes_run_by(pipeline, [&] { pipeline.raw(small_scene(), buffer); }), expected)
+    EXPECT_EQ(passes_run_by(pipeline, [&, buffer = buffer] { pipeline.raw(small_scene(), buffer); }),
+              expected)
         << name_of(buffer);
   }
 }
