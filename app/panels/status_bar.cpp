@@ -15,6 +15,7 @@ void draw_status_bar(Workbench& bench) {
                                  image.height, bench.view.magnification * 100.0);
   if (const StudyJob* study = bench.studies.running())
     left += fmt::format("    {}: {} of {}", study->title, study->done, study->total);
+  if (bench.ladders.is_busy()) left += "    preparing the triangle counts: the full mesh is shown";
   static const std::string renderer = renderer_info().renderer;
   const std::string right = fmt::format("{}    {:.1f} ms a frame", renderer, bench.frame_times.mean_ms);
   faint_text(left);

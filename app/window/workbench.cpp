@@ -94,12 +94,13 @@ void Workbench::go_to_step(size_t position) {
   ++revision_;
 }
 
-Key Workbench::drawn_state() const {
-  return KeyBuilder().add(settings_text(settings())).add(std::to_string(files_revision_)).key();
+Key Workbench::state_to_draw(const Settings& settings) const {
+  return KeyBuilder().add(settings_text(settings)).add(std::to_string(files_revision_)).key();
 }
 
 void Workbench::refresh() {
-  const Key state = drawn_state();
+  const Settings target = ladders.drawable(pictures.pipeline().meshes(), settings());
+  const Key state = state_to_draw(target);
   if (drawn_state_ != state) ++drawn_changes_;
   drawn_state_ = state;
   timer.begin_frame(drawn_changes_);
@@ -107,11 +108,12 @@ void Workbench::refresh() {
   if (failed_ == state) return;
   try {
     const bool hurry = is_editing() || frame_times.frames == 0;
-    pictures.refresh(settings(), wanted_buffers(), hurry);
+    pictures.refresh(target, wanted_buffers(), hurry);
     const bool judges = layout.show_inspector && view.side_page == SidePage::judge;
-    judge.refresh(pictures, settings(),
+    judge.refresh(pictures, target,
                   {judges || view.overlay == Overlay::matches, view.overlay == Overlay::reference}, hurry);
-    last_good_ = settings();
+    drawn_ = target;
+    if (target.mesh == settings().mesh) last_good_ = settings();
     failed_.reset();
     dismiss(ProblemKind::drawing);
   } catch (const std::bad_alloc&) {
@@ -185,8 +187,9 @@ std::array<bool, kBufferCount> Workbench::wanted_buffers() const {
 }
 
 void Workbench::pin() {
+  if (!drawn_) return;
   try {
-    pictures.pin(settings());
+    pictures.pin(*drawn_);
     tell(Severity::note, "pinned this state");
   } catch (const Error& error) {
     set_problem(ProblemKind::drawing, error.what());

@@ -11,6 +11,7 @@
 
 #include "app/window/judge_desk.h"
 #include "app/window/keeping.h"
+#include "app/window/ladder_desk.h"
 #include "app/window/message_log.h"
 #include "app/window/pass_timer.h"
 #include "app/window/pictures.h"
@@ -103,7 +104,7 @@ class Workbench {
   long files_revision() const { return files_revision_; }
   /// The settings of the pictures that are shown. Panels read pixels of these: others would run a pass in the
   /// middle of the frame.
-  const std::optional<Settings>& drawn_settings() const { return last_good_; }
+  const std::optional<Settings>& drawn_settings() const { return drawn_; }
   /// The buffers that the sheet shows, or those that fill the window.
   std::array<bool, kBufferCount> wanted_buffers() const;
   bool is_listed(BufferName buffer) const;
@@ -139,6 +140,7 @@ class Workbench {
   TilePainter tiles;
   WirePainter wires;
   JudgeDesk judge;
+  LadderDesk ladders;
   PixelProbe probe;  ///< Of the marked pixel.
 
  private:
@@ -155,15 +157,16 @@ class Workbench {
   void take(const OpenedFile& file);
   void take_mesh(const OpenedFile& file);
   void take_from(const Origin& origin, const Settings& settings, const std::string& step);
-  Key drawn_state() const;
+  Key state_to_draw(const Settings& settings) const;
   std::string files_state();
   bool take_files_state();
 
   History history_;
   std::vector<Origin> origins_;  ///< By the numbers that the history knows.
   long revision_ = 0;
-  std::optional<Settings> last_good_;
-  std::optional<Key> failed_;  ///< What could not be drawn: not tried again until something changes.
+  std::optional<Settings> drawn_;      ///< Of the pictures that are shown.
+  std::optional<Settings> last_good_;  ///< That gave pictures.
+  std::optional<Key> failed_;          ///< What could not be drawn: not tried again until something changes.
   long files_revision_ = 0;
   Key drawn_state_;  ///< In the last frame.
   long drawn_changes_ = 0;

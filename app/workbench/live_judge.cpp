@@ -36,7 +36,7 @@ void check_request(const JudgeRequest& request) {
 
 }  // namespace
 
-Judgement judge(const JudgeRequest& request, const std::function<bool()>& stop) {
+Judgement judge(const JudgeRequest& request, const StopAsked& stop) {
   check_request(request);
   const auto stopped = [&] { return stop && stop(); };
   const auto start = std::chrono::steady_clock::now();
@@ -59,65 +59,22 @@ Judgement judge(const JudgeRequest& request, const std::function<bool()>& stop) 
   return result;
 }
 
-LiveJudge::LiveJudge(std::function<void()> on_done)
-    : on_done_(std::move(on_done)), thread_([this] { serve(); }) {}
+namespace {
 
-LiveJudge::~LiveJudge() {
-  {
-    const std::lock_guard lock(mutex_);
-    closing_ = true;
-    waiting_.reset();
-  }
-  changed_.notify_all();
-  thread_.join();
-}
-
-void LiveJudge::submit(JudgeRequest request) {
-  {
-    const std::lock_guard lock(mutex_);
-    waiting_ = std::move(request);
-  }
-  changed_.notify_all();
-}
-
-std::optional<Judgement> LiveJudge::poll() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(result_, std::nullopt);
-}
-
-bool LiveJudge::is_busy() const {
-  const std::lock_guard lock(mutex_);
-  return working_ || waiting_.has_value();
-}
-
-bool LiveJudge::is_closing() const {
-  const std::lock_guard lock(mutex_);
-  return closing_;
-}
-
-void LiveJudge::serve() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    changed_.wait(lock, [&] { return waiting_.has_value() || closing_; });
-    if (closing_) return;
-    const JudgeRequest request = *std::exchange(waiting_, std::nullopt);
-    working_ = true;
-    lock.unlock();
+Judgement judge_or_say_why(const JudgeRequest& request, const StopAsked& stop) {
+  try {
+    return judge(request, stop);
+  } catch (const std::exception& error) {
     Judgement result;
-    try {
-      result = judge(request, [this] { return is_closing(); });
-    } catch (const std::exception& error) {
-      result.id = request.id;
-      result.error = error.what();
-    }
-    lock.lock();
-    working_ = false;
-    if (closing_) return;
-    result_ = std::move(result);
-    lock.unlock();
-    if (on_done_) on_done_();
-    lock.lock();
+    result.id = request.id;
+    result.error = error.what();
+    return result;
   }
 }
+
+}  // namespace
+
+LiveJudge::LiveJudge(std::function<void()> on_done)
+    : LatestWorker(judge_or_say_why, WhenNewer::finish, std::move(on_done)) {}
 
 }  // namespace inkbench

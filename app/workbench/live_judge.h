@@ -3,15 +3,13 @@
 #pragma once
 
 #include <array>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
+#include "app/workbench/latest_worker.h"
 #include "studies/measures/match_maps.h"
 #include "studies/measures/measures.h"
 #include "studies/reference/reference_lines.h"
@@ -45,38 +43,12 @@ struct Judgement {
 
 /// What the worker does, on the calling thread. Stops early, with an unfinished result, once `stop` says so.
 /// Errors (input): sizes that differ, a tolerance out of range, a missing part.
-Judgement judge(const JudgeRequest& request, const std::function<bool()>& stop = {});
+Judgement judge(const JudgeRequest& request, const StopAsked& stop = {});
 
-class LiveJudge {
+/// A request in work is finished when a newer one comes: its result is still worth showing.
+class LiveJudge : public LatestWorker<JudgeRequest, Judgement> {
  public:
-  /// `on_done` is called on the worker's thread after each result: to wake a window that sleeps.
   explicit LiveJudge(std::function<void()> on_done = {});
-  LiveJudge(const LiveJudge&) = delete;
-  LiveJudge& operator=(const LiveJudge&) = delete;
-  /// Forgets what waits and waits only for the step in work.
-  ~LiveJudge();
-
-  /// Replaces a request that still waits. The one in work goes on: its result is still worth showing.
-  void submit(JudgeRequest request);
-
-  /// The newest result, once; nothing where there is no new one.
-  std::optional<Judgement> poll();
-
-  /// Whether a request waits or is in work.
-  bool is_busy() const;
-
- private:
-  void serve();
-  bool is_closing() const;
-
-  std::function<void()> on_done_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<JudgeRequest> waiting_;
-  std::optional<Judgement> result_;
-  bool working_ = false;
-  bool closing_ = false;
-  std::thread thread_;  ///< Last, so that it starts when all else is there.
 };
 
 }  // namespace inkbench

@@ -137,12 +137,12 @@ fs::path collapse_record_path(const Key& key) {
   return collapse_record_folder() / (key.text() + ".collapses");
 }
 
-CollapseRecord cached_collapse_record(const Mesh& mesh) {
-  if (collapse_record_folder().empty()) return record_collapses(mesh);
+CollapseRecord cached_collapse_record(const Mesh& mesh, const StopAsked& stop) {
+  if (collapse_record_folder().empty()) return record_collapses(mesh, stop);
   const Key key = collapse_record_key(mesh);
   const fs::path path = collapse_record_path(key);
   if (std::optional<CollapseRecord> found = read_from(path, mesh, key)) return std::move(*found);
-  CollapseRecord record = record_collapses(mesh);
+  CollapseRecord record = record_collapses(mesh, stop);
   try {
     write_file_atomically(path, write_collapse_record(record, key));
   } catch (const Error& error) {

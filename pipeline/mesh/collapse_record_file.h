@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "pipeline/base/key.h"
+#include "pipeline/base/stop.h"
 #include "pipeline/mesh/collapse_record.h"
 #include "pipeline/mesh/mesh.h"
 
@@ -33,7 +34,7 @@ std::filesystem::path collapse_record_path(const Key& key);
 
 /// The mesh's record, from its file or by `record_collapses`; then it is written, all or nothing, so that
 /// processes may race. A damaged file is made anew; a folder that cannot be written to costs only the time
-/// next time.
-CollapseRecord cached_collapse_record(const Mesh& mesh);
+/// next time. Throws `Stopped` once `stop` says so; no file is left then.
+CollapseRecord cached_collapse_record(const Mesh& mesh, const StopAsked& stop = {});
 
 }  // namespace inkbench

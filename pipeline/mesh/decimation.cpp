@@ -330,8 +330,9 @@ using Boundaries = BoundariesT<HalfedgeMesh>;
 /// The decimation loop of `DecimaterT` with the dear questions asked last, and a record.
 class RecordingDecimater : public om::Decimater::BaseDecimaterT<HalfedgeMesh> {
  public:
-  explicit RecordingDecimater(HalfedgeMesh& mesh)
+  RecordingDecimater(HalfedgeMesh& mesh, const StopAsked& stop)
       : BaseDecimaterT(mesh),
+        stop_(stop),
         target_(mesh.n_vertices()),
         cost_(mesh.n_vertices(), -1.0F),
         heap_position_(mesh.n_vertices(), -1),
@@ -351,9 +352,14 @@ class RecordingDecimater : public om::Decimater::BaseDecimaterT<HalfedgeMesh> {
     do {
       before = record.collapses.size();
       for (const auto vertex : mesh().vertices()) {
-        if (!mesh().status(vertex).deleted()) consider(vertex);
+        if (mesh().status(vertex).deleted()) continue;
+        consider(vertex);
+        stop_if_asked();
       }
-      while (!heap_.empty() && record.faces.back() > enough) step(record);
+      while (!heap_.empty() && record.faces.back() > enough) {
+        step(record);
+        stop_if_asked();
+      }
     } while (record.faces.back() > enough && record.collapses.size() > before);
   }
 
@@ -371,6 +377,11 @@ class RecordingDecimater : public om::Decimater::BaseDecimaterT<HalfedgeMesh> {
     float cost;
     Halfedge halfedge;
   };
+
+  void stop_if_asked() {
+    constexpr unsigned kOften = 1024;
+    if (++steps_ % kOften == 0 && stop_ && stop_()) throw Stopped();
+  }
 
   /// Finds the vertex's cheapest collapse and puts it on the heap, or takes it off.
   void consider(Vertex vertex) {
@@ -425,6 +436,8 @@ class RecordingDecimater : public om::Decimater::BaseDecimaterT<HalfedgeMesh> {
     for (const Vertex neighbour : ring_) consider(neighbour);
   }
 
+  const StopAsked& stop_;
+  unsigned steps_ = 0;
   Quadrics::Handle quadrics_;
   Turns::Handle turns_;
   Boundaries::Handle boundaries_;
@@ -452,7 +465,7 @@ void decimate_by_openmesh(HalfedgeMesh& halfedges, size_t faces, bool without_fl
 
 }  // namespace
 
-CollapseRecord record_collapses(const Mesh& mesh) {
+CollapseRecord record_collapses(const Mesh& mesh, const StopAsked& stop) {
   ManifoldPieces pieces = cut_to_manifold(mesh);
   CollapseRecord record;
   record.faces.push_back(static_cast<uint32_t>(pieces.triangles));
@@ -460,7 +473,7 @@ CollapseRecord record_collapses(const Mesh& mesh) {
   record.faces.reserve(pieces.origin.size() + 1);
   HalfedgeMesh halfedges;
   build(mesh, pieces, halfedges);
-  RecordingDecimater(halfedges).run(record, 0);
+  RecordingDecimater(halfedges, stop).run(record, 0);
   record.corners = std::move(pieces.corners);
   record.origin = std::move(pieces.origin);
   record.next_equal = std::move(pieces.next_equal);
@@ -476,7 +489,7 @@ std::vector<std::array<uint32_t, 3>> decimate_directly(const Mesh& mesh, size_t 
   if (rules == DecimationRules::ours) {
     CollapseRecord unused;
     unused.faces.push_back(static_cast<uint32_t>(pieces.triangles));
-    RecordingDecimater(halfedges).run(unused, faces);
+    RecordingDecimater(halfedges, {}).run(unused, faces);
   } else {
     decimate_by_openmesh(halfedges, faces, rules == DecimationRules::quadrics_no_flip);
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "pipeline/base/stop.h"
 #include "pipeline/mesh/collapse_record.h"
 #include "pipeline/mesh/mesh.h"
 
@@ -18,8 +19,8 @@ namespace inkbench {
 /// for, nor folds it onto a neighbour (150 degrees or more between them); closed pieces stay closed and of
 /// their topology; an open boundary's points stay on it, and it stays within `kBoundaryShift` of the bounding
 /// box's diagonal of where it was; where pieces meet that are not manifold together, nothing moves. The same
-/// mesh gives the same record.
-CollapseRecord record_collapses(const Mesh& mesh);
+/// mesh gives the same record. Throws `Stopped` soon after `stop` says so.
+CollapseRecord record_collapses(const Mesh& mesh, const StopAsked& stop = {});
 
 /// Cosine of the largest turn of a face in one collapse: 75 degrees.
 inline constexpr double kMaxTurnCosine = 0.2588;

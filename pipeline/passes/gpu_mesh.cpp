@@ -8,9 +8,7 @@
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
 #include "pipeline/mesh/closed.h"
-#include "pipeline/mesh/collapse_record_file.h"
 #include "pipeline/mesh/mesh_file.h"
-#include "pipeline/mesh/subdivide.h"
 
 namespace inkbench {
 namespace {
@@ -83,34 +81,33 @@ Key MeshStore::identity(const ModelParams& model, const MeshParams& level) {
   return builder.add(kLevelNormalsNames[static_cast<size_t>(level.normals)]).key();
 }
 
-Mesh MeshStore::level_mesh(const ModelParams& model, const MeshParams& level) {
-  const Key key = full_identity(model);
-  if (!ladder_ || ladder_->key != key || ladder_->rounds != level.subdivide) {
-    ladder_.reset();
-    Mesh full = make_model_mesh(model);
-    Mesh subdivided = subdivide_mesh(full, level.subdivide);
-    ladder_ = LadderSource{key, level.subdivide, std::move(full), std::move(subdivided), std::nullopt};
-  }
-  const bool decimates =
-      level.faces > 0 && static_cast<size_t>(level.faces) < ladder_->subdivided.triangles.size();
-  if (!decimates) {
-    Mesh whole = ladder_->subdivided;
-    // As loaded, smooth leaves the normals that a file may give.
-    if (level.normals != LevelNormals::smooth) apply_level_normals(whole, level.normals, ladder_->full);
-    return whole;
-  }
-  if (!ladder_->record) ladder_->record = cached_collapse_record(ladder_->subdivided);
-  return level_with_normals(ladder_->subdivided, *ladder_->record, static_cast<size_t>(level.faces),
-                            level.normals);
+Key MeshStore::ladder_identity(const ModelParams& model, int rounds) {
+  return KeyBuilder().add("ladder").add(full_identity(model)).add(std::to_string(rounds)).key();
+}
+
+bool MeshStore::is_ready(const ModelParams& model, const MeshParams& level) {
+  if (level == MeshParams{} || meshes_.contains(identity(model, level))) return true;
+  return ladder_ && ladder_key_ == ladder_identity(model, level.subdivide) && ladder_->is_ready_for(level);
+}
+
+void MeshStore::take_ladder(const Key& key, MeshLadder ladder) {
+  ladder_ = std::move(ladder);
+  ladder_key_ = key;
 }
 
 Mesh MeshStore::full_mesh(const ModelParams& model) {
-  const bool held = ladder_ && ladder_->key == full_identity(model);
-  return held ? ladder_->full : make_model_mesh(model);
+  const bool held = ladder_ && ladder_key_ == ladder_identity(model, ladder_->rounds());
+  return held ? ladder_->full() : make_model_mesh(model);
 }
 
 Mesh MeshStore::drawn_mesh(const ModelParams& model, const MeshParams& level) {
-  return level == MeshParams{} ? make_model_mesh(model) : level_mesh(model, level);
+  if (level == MeshParams{}) return make_model_mesh(model);
+  const Key key = ladder_identity(model, level.subdivide);
+  if (!ladder_ || ladder_key_ != key) {
+    ladder_.reset();  // before there are two
+    take_ladder(key, MeshLadder(model, level.subdivide));
+  }
+  return ladder_->level(level);
 }
 
 const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level) {
@@ -120,7 +117,7 @@ const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level)
   const Mesh drawn = drawn_mesh(model, level);
   for (const std::string& note : drawn.notes) log_note("model '" + model.name + "': " + note);
   note_if_missed(model, level, drawn.triangles.size());
-  const Bounds placement = level == MeshParams{} ? bounds_of(drawn) : bounds_of(ladder_->full);
+  const Bounds placement = level == MeshParams{} ? bounds_of(drawn) : bounds_of(ladder_->full());
   return meshes_.emplace(key, GpuMesh("mesh of " + model.name, drawn, placement)).first->second;
 }
 

@@ -7,8 +7,8 @@
 
 #include "pipeline/base/key.h"
 #include "pipeline/gl/object.h"
-#include "pipeline/mesh/collapse_record.h"
 #include "pipeline/mesh/mesh.h"
+#include "pipeline/scene/mesh_ladder.h"
 #include "pipeline/scene/mesh_params.h"
 #include "pipeline/scene/model.h"
 
@@ -44,6 +44,12 @@ class MeshStore {
   const GpuMesh& get(const ModelParams& model, const MeshParams& level);
   /// Decides the full mesh of the model, whatever its level.
   Key full_identity(const ModelParams& model);
+  /// Decides the model's ladder with these rounds of subdivision.
+  Key ladder_identity(const ModelParams& model, int rounds);
+  /// Whether `get` gives this level without reading the mesh or recording its collapses first.
+  bool is_ready(const ModelParams& model, const MeshParams& level);
+  /// Takes a ladder that was made elsewhere; `key` is its `ladder_identity`.
+  void take_ladder(const Key& key, MeshLadder ladder);
   /// The model's full mesh in memory.
   Mesh full_mesh(const ModelParams& model);
   /// The mesh that `get` draws, in memory.
@@ -56,19 +62,12 @@ class MeshStore {
     int64_t size = 0, time = 0;
     Key content;
   };
-  /// The model whose levels are asked for.
-  struct LadderSource {
-    Key key;         ///< Of the full mesh.
-    int rounds = 0;  ///< Of subdivision.
-    Mesh full, subdivided;
-    std::optional<CollapseRecord> record;  ///< Of `subdivided`, made when a level is first asked for.
-  };
   Key content_key(const std::string& path);
-  Mesh level_mesh(const ModelParams& model, const MeshParams& level);
 
   std::map<Key, GpuMesh> meshes_;
   std::map<std::string, FileState> files_;
-  std::optional<LadderSource> ladder_;
+  std::optional<MeshLadder> ladder_;  ///< Of the model whose levels are asked for.
+  Key ladder_key_;
 };
 
 }  // namespace inkbench

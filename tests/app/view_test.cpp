@@ -149,5 +149,31 @@ TEST_F(AppView, window_shows_the_pixels_that_render_writes) {
   EXPECT_EQ(different, 0);
 }
 
+TEST_F(AppView, window_stays_awake_while_a_dense_mesh_gets_its_levels) {
+  write("scene.toml", small_scene());
+  open_with({"--scene", file("scene.toml").string(), "--set", "model.ball.segments=420", "--set",
+             "mesh.faces=300"});
+  const Json full =
+      wait_for("the full mesh", [](const Json& now) { return now["prepares_levels"].get<bool>(); });
+  keys("2");  // goes through while the levels are being made
+  const Json alive = state();
+  EXPECT_EQ(alive["view"]["filled"], "depth");
+  EXPECT_TRUE(alive["prepares_levels"].get<bool>());
+  EXPECT_EQ(parameter(alive, "mesh.faces"), "300");
+  const Json level =
+      wait_for("the level", [](const Json& now) { return !now["prepares_levels"].get<bool>(); });
+  wait_for("its picture",
+           [&](const Json& now) { return now["pictures"]["depth"] != full["pictures"]["depth"]; });
+  EXPECT_TRUE(level["problems"].empty()) << level["problems"];
+}
+
+TEST_F(AppView, window_closes_while_a_dense_mesh_gets_its_levels) {
+  write("scene.toml", small_scene());
+  open_with({"--scene", file("scene.toml").string(), "--set", "model.ball.segments=420", "--set",
+             "mesh.faces=300"});
+  EXPECT_TRUE(state()["prepares_levels"].get<bool>());
+  quit();
+}
+
 }  // namespace
 }  // namespace inkbench

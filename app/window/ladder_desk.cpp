@@ -1,0 +1,50 @@
+#include "app/window/ladder_desk.h"
+
+#include "app/window/window.h"
+#include "pipeline/base/error.h"
+
+namespace inkbench {
+
+LadderDesk::LadderDesk()
+    : maker_([this] {
+        news_ = true;
+        wake_window();
+      }) {}
+
+/// Nothing where the settings can be drawn at once, or where trying to is the way to learn why not.
+std::optional<LadderRequest> LadderDesk::request_for(MeshStore& meshes, const Settings& settings) const {
+  const std::optional<size_t> index = main_model_index(settings);
+  if (!index || !settings.models[*index].visible) return std::nullopt;
+  const ModelParams& model = settings.models[*index];
+  const MeshParams level = level_of(settings, *index);
+  try {
+    if (meshes.is_ready(model, level)) return std::nullopt;
+    const LadderName name{meshes.ladder_identity(model, level.subdivide), level.faces > 0};
+    if (failed_ == name) return std::nullopt;
+    return LadderRequest{name, model, level};
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+Settings LadderDesk::drawable(MeshStore& meshes, const Settings& settings) {
+  if (std::optional<MadeLadder> made = maker_.poll()) {
+    if (asked_ == made->name) asked_.reset();
+    if (made->ladder) {
+      meshes.take_ladder(made->name.key, std::move(*made->ladder));
+    } else {
+      failed_ = made->name;
+    }
+  }
+  const std::optional<LadderRequest> request = request_for(meshes, settings);
+  if (!request) return settings;
+  if (asked_ != request->name) {
+    asked_ = request->name;
+    maker_.submit(*request);
+  }
+  Settings full = settings;
+  full.mesh = {};
+  return full;
+}
+
+}  // namespace inkbench

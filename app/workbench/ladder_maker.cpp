@@ -1,0 +1,24 @@
+#include "app/workbench/ladder_maker.h"
+
+namespace inkbench {
+namespace {
+
+MadeLadder make_ladder(const LadderRequest& request, const StopAsked& stop) {
+  try {
+    MeshLadder ladder(request.model, request.level.subdivide);
+    if (stop && stop()) throw Stopped();
+    ladder.prepare(request.level, stop);
+    return {request.name, std::move(ladder)};
+  } catch (const Stopped&) {
+    throw;
+  } catch (const std::exception&) {
+    return {request.name, std::nullopt};  // drawing it says why
+  }
+}
+
+}  // namespace
+
+LadderMaker::LadderMaker(std::function<void()> on_done)
+    : LatestWorker(make_ladder, WhenNewer::give_up, std::move(on_done)) {}
+
+}  // namespace inkbench

@@ -1,0 +1,36 @@
+// Makes a model's ladder beside the window: reading, subdividing and recording the collapses take seconds for
+// large meshes. In: a model and the level that is wanted. Out: a ladder that gives that level at once.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "app/workbench/latest_worker.h"
+#include "pipeline/base/key.h"
+#include "pipeline/scene/mesh_ladder.h"
+
+namespace inkbench {
+
+struct LadderName {
+  Key key;  ///< `MeshStore::ladder_identity`
+  bool has_record = false;
+  bool operator==(const LadderName&) const = default;
+};
+
+struct LadderRequest {
+  LadderName name;
+  ModelParams model;
+  MeshParams level;
+};
+
+struct MadeLadder {
+  LadderName name;
+  std::optional<MeshLadder> ladder;  ///< None where the mesh cannot be read.
+};
+
+class LadderMaker : public LatestWorker<LadderRequest, MadeLadder> {
+ public:
+  explicit LadderMaker(std::function<void()> on_done);
+};
+
+}  // namespace inkbench

@@ -1,0 +1,35 @@
+#include "pipeline/scene/mesh_ladder.h"
+
+#include "pipeline/mesh/collapse_record_file.h"
+#include "pipeline/mesh/level_normals.h"
+#include "pipeline/mesh/subdivide.h"
+
+namespace inkbench {
+
+MeshLadder::MeshLadder(const ModelParams& model, int rounds)
+    : rounds_(rounds), full_(make_model_mesh(model)), subdivided_(subdivide_mesh(full_, rounds)) {}
+
+bool MeshLadder::decimates(const MeshParams& level) const {
+  return level.faces > 0 && static_cast<size_t>(level.faces) < subdivided_.triangles.size();
+}
+
+bool MeshLadder::is_ready_for(const MeshParams& level) const {
+  return record_.has_value() || !decimates(level);
+}
+
+void MeshLadder::prepare(const MeshParams& level, const StopAsked& stop) {
+  if (!is_ready_for(level)) record_ = cached_collapse_record(subdivided_, stop);
+}
+
+Mesh MeshLadder::level(const MeshParams& level) {
+  if (decimates(level)) {
+    prepare(level);
+    return level_with_normals(subdivided_, *record_, static_cast<size_t>(level.faces), level.normals);
+  }
+  Mesh whole = subdivided_;
+  // As loaded, smooth leaves the normals that a file may give.
+  if (level.normals != LevelNormals::smooth) apply_level_normals(whole, level.normals, full_);
+  return whole;
+}
+
+}  // namespace inkbench
