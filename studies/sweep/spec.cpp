@@ -474,6 +474,10 @@ size_t view_count(const StudySpec& spec) {
   return std::max<size_t>(1, spec.views.size());
 }
 
+size_t picture_count(const StudySpec& spec) {
+  return view_count(spec) * spec.show.size();
+}
+
 Settings view_settings(const StudySpec& spec, const Cell& cell, size_t view) {
   Settings settings = cell_settings(spec, cell);
   if (spec.views.empty()) return settings;

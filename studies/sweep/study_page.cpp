@@ -34,7 +34,7 @@ std::vector<PageAxis> page_axes(const StudySpec& spec) {
 /// All but the FILE_ columns, which come last: the page shows the files.
 std::vector<PageColumn> page_columns(const StudySpec& spec, const StudyFolder& folder) {
   std::vector<std::string> names = folder.columns();
-  names.resize(names.size() - view_count(spec) * spec.show.size());
+  names.resize(names.size() - picture_count(spec));
   const std::vector<std::string> numbers = number_columns(spec);
   std::vector<PageColumn> columns;
   for (const std::string& name : names) columns.push_back({name, ColumnKind::parameter});
@@ -122,7 +122,7 @@ StudyPageWriter::StudyPageWriter(const StudySpec& spec, const StudyFolder& folde
                                  const std::vector<DrawnChart>& charts)
     : folder_(folder.path()),
       page_(make_page(spec, folder, origin, charts)),
-      plan_(plan_thumbnails(page_.cells.size(), view_count(spec) * spec.show.size(), thumbnail_room(page_))),
+      plan_(plan_thumbnails(page_.cells.size(), picture_count(spec), thumbnail_room(page_))),
       workers_(worker_count(), worker_count()) {
   for (PageCell& cell : page_.cells) cell.thumbnails.resize(std::min(cell.pictures.size(), plan_.per_cell));
 }
