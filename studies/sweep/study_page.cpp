@@ -10,6 +10,7 @@
 #include "pipeline/base/text.h"
 #include "studies/reference/drawing.h"
 #include "studies/sweep/number_columns.h"
+#include "studies/sweep/study_grid.h"
 
 namespace inkbench {
 namespace {
@@ -18,15 +19,13 @@ std::string count_text(size_t count, const std::string& name) {
   return with_commas(static_cast<long long>(count)) + " " + name + (count == 1 ? "" : "s");
 }
 
+/// The grid's; variants without an axis are none, since each cell bears its variant's name.
 std::vector<PageAxis> page_axes(const StudySpec& spec) {
+  const size_t variants = spec.axes.empty() || spec.variants.empty() ? 0 : 1;
   std::vector<PageAxis> axes;
-  for (const Axis& axis : spec.axes) {
-    PageAxis& labels = axes.emplace_back(PageAxis{axis.label, {}});
-    for (const Value& value : axis.values) labels.values.push_back(label_text(value));
-  }
-  if (!axes.empty() && !spec.variants.empty()) {
-    PageAxis& labels = axes.emplace_back();
-    for (const NamedSet& variant : spec.variants) labels.values.push_back(variant.name);
+  for (size_t i = 0; i < spec.axes.size() + variants; ++i) {
+    const GridAxis axis = grid_axis(spec, i);
+    axes.push_back({axis.label, axis.values});
   }
   return axes;
 }
