@@ -268,21 +268,23 @@ class SpecReader {
   }
 
   void read_variants() {
-    spec_.variants = named_sets("variant");
+    const std::vector<const TomlNode*> found = tables("variant");
+    spec_.variants = named_sets("variant", found);
     if (!spec_.variants.empty() && spec_.axes.size() > 2)
-      throw input_error(at(*tables("variant").front()), "three [[axis]] and [[variant]]",
+      throw input_error(at(*found.front()), "three [[axis]] and [[variant]]",
                         "columns, rows and pages are all taken: at most two axes beside variants");
     for (size_t i = 0; i < spec_.variants.size(); ++i) {
       for (const Assignment& assignment : spec_.variants[i].set) {
-        check_not_an_axis(assignment.key, "variant", at(*tables("variant")[i]));
+        check_not_an_axis(assignment.key, "variant", at(*found[i]));
       }
     }
   }
 
   void read_views() {
-    spec_.views = named_sets("view");
+    const std::vector<const TomlNode*> found = tables("view");
+    spec_.views = named_sets("view", found);
     for (size_t i = 0; i < spec_.views.size(); ++i) {
-      const std::string where = at(*tables("view")[i]);
+      const std::string where = at(*found[i]);
       check_view_name(spec_.views[i].name, where);
       for (const Assignment& assignment : spec_.views[i].set) check_not_varied(assignment.key, where);
     }
@@ -322,9 +324,8 @@ class SpecReader {
   }
 
   /// Every [[variant]] or [[view]]: a name and what it sets.
-  std::vector<NamedSet> named_sets(const std::string& kind) {
+  std::vector<NamedSet> named_sets(const std::string& kind, const std::vector<const TomlNode*>& found) {
     std::vector<NamedSet> sets;
-    const std::vector<const TomlNode*> found = tables(kind);
     if (document_.find(kind) != nullptr && found.empty())
       throw input_error(at(*document_.find(kind)), "an empty list of " + kind + "s");
     for (const TomlNode* table : found) {
