@@ -174,12 +174,4 @@ std::vector<std::string> sweepable_keys(const Settings& settings) {
   return keys;
 }
 
-bool has_range(const Settings& settings, const std::string& key) {
-  Settings copy = settings;
-  if (!has_param(copy, key)) return false;
-  const Param param = find_param(copy, key, key);
-  const FieldType type = param.field->type;
-  return param.component >= 0 || type == FieldType::integer || type == FieldType::real;
-}
-
 }  // namespace inkbench
