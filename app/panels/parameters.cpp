@@ -81,7 +81,7 @@ bool ParametersPanel::is_found(const std::string& key, const Field& field) const
 }
 
 void ParametersPanel::draw_search(Workbench& bench) {
-  const float button = ImGui::CalcTextSize("Changed").x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float button = button_width("Changed");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
   if (focus_search_) ImGui::SetKeyboardFocusHere();
   focus_search_ = false;
