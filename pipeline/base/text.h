@@ -22,6 +22,9 @@ std::string join(std::span<const std::string> parts, std::string_view separator)
 std::vector<std::string> split(std::string_view text, char separator);
 std::string_view trim(std::string_view text);
 
+/// Capital letters of ASCII made small; the others stay as they are, whatever the locale.
+std::string lower_case(std::string text);
+
 /// Whether the bytes are UTF-8, which is all that TOML and image metadata can hold.
 bool is_utf8(std::string_view text);
 
