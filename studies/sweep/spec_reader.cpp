@@ -238,7 +238,7 @@ class SpecReader {
     const double count = number_entry(table, "count");
     const bool log = is_log(table, param);
     const bool integer = param.field->type == FieldType::integer;
-    if (!integer && param.field->type != FieldType::real && param.component < 0) {
+    if (!param.is_number()) {
       throw input_error(at(table),
                         "from and to need a number, and " + param.key + " is a " +
                             std::string(type_name(param.field->type)),
