@@ -87,7 +87,7 @@ void FileChooser::draw_places(Workbench& bench) {
 }
 
 void FileChooser::draw_path(Workbench& bench) {
-  const float up = ImGui::CalcTextSize("Up").x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float up = button_width("Up");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
   if (focus_ && !question_.saves) ImGui::SetKeyboardFocusHere();
   const bool entered =

@@ -137,7 +137,7 @@ void HistogramView::draw(Workbench& bench, BufferName buffer) {
         "double click for the display gains again.");
   const float line = ImGui::GetCursorPosY();
   faint_text(number_text(range.black, false) + " to " + number_text(range.white, false));
-  const float toggle = ImGui::CalcTextSize("log").x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float toggle = button_width("log");
   ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - toggle, line - scaled(2)});
   if (toggle_button("log", log_, "Bars by the logarithm of how often.")) log_ = !log_;
   bench.ui_map.mark_item("histogram log");

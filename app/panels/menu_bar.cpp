@@ -8,6 +8,7 @@
 #include "app/panels/edit_menu.h"
 #include "app/panels/shaders_menu.h"
 #include "app/panels/shortcuts.h"
+#include "app/panels/widgets.h"
 #include "app/window/theme.h"
 #include "pipeline/base/files.h"
 
@@ -25,12 +26,6 @@ std::vector<fs::path> bundled_scenes() {
   return scenes;
 }
 
-bool item(Workbench& bench, const char* label, const char* keys = nullptr, bool on = false) {
-  const bool chosen = ImGui::MenuItem(label, keys, on);
-  bench.ui_map.mark_item(std::string("menu:") + label);
-  return chosen;
-}
-
 }  // namespace
 
 void MenuBar::file_menu(Workbench& bench) {
@@ -42,14 +37,14 @@ void MenuBar::file_menu(Workbench& bench) {
   bench.ui_map.mark_item("menu:Scenes");
   if (scenes) {
     for (const fs::path& scene : bundled_scenes()) {
-      if (item(bench, scene.stem().c_str())) bench.open(scene.string());
+      if (menu_item(bench.ui_map, scene.stem().c_str())) bench.open(scene.string());
     }
     ImGui::EndMenu();
   }
   ImGui::Separator();
   shaders_menu(bench);
   ImGui::Separator();
-  if (item(bench, "Quit", "Ctrl+Q")) bench.requests.close = true;
+  if (menu_item(bench.ui_map, "Quit", "Ctrl+Q")) bench.requests.close = true;
   ImGui::EndMenu();
 }
 
@@ -59,32 +54,34 @@ void MenuBar::view_menu(Workbench& bench) {
   bench.ui_map.mark_item("menu:View");
   if (!open) return;
   const auto panel = [&](const char* label, bool& shown) {
-    if (item(bench, label, nullptr, shown)) shown = !shown;
+    if (menu_item(bench.ui_map, label, nullptr, shown)) shown = !shown;
   };
   panel("Left panel", layout.show_parameters);
   panel("Inspector", layout.show_inspector);
   panel("Timings", layout.show_timings);
   panel("Log", layout.show_log);
-  if (item(bench, "Ramp editor", "R", bench.view.edits_ramps))
+  if (menu_item(bench.ui_map, "Ramp editor", "R", bench.view.edits_ramps))
     bench.view.edits_ramps = !bench.view.edits_ramps;
   ImGui::Separator();
   ViewState& view = bench.view;
-  if (item(bench, "Pictures as they are", "L", view.overlay == Overlay::none)) view.overlay = Overlay::none;
-  if (item(bench, "Reference lines over them", "L", view.overlay == Overlay::reference))
+  if (menu_item(bench.ui_map, "Pictures as they are", "L", view.overlay == Overlay::none))
+    view.overlay = Overlay::none;
+  if (menu_item(bench.ui_map, "Reference lines over them", "L", view.overlay == Overlay::reference))
     view.overlay = Overlay::reference;
-  if (item(bench, "Right and wrong lines", "L", view.overlay == Overlay::matches))
+  if (menu_item(bench.ui_map, "Right and wrong lines", "L", view.overlay == Overlay::matches))
     view.overlay = Overlay::matches;
   ImGui::Separator();
-  if (item(bench, "Dark", nullptr, layout.theme == Theme::dark)) layout.theme = Theme::dark;
-  if (item(bench, "Light", nullptr, layout.theme == Theme::light)) layout.theme = Theme::light;
+  if (menu_item(bench.ui_map, "Dark", nullptr, layout.theme == Theme::dark)) layout.theme = Theme::dark;
+  if (menu_item(bench.ui_map, "Light", nullptr, layout.theme == Theme::light)) layout.theme = Theme::light;
   ImGui::Separator();
-  if (item(bench, "Larger text", "Ctrl++")) change_text_size(bench, 0.1F);
-  if (item(bench, "Smaller text", "Ctrl+-")) change_text_size(bench, -0.1F);
+  if (menu_item(bench.ui_map, "Larger text", "Ctrl++")) change_text_size(bench, 0.1F);
+  if (menu_item(bench.ui_map, "Smaller text", "Ctrl+-")) change_text_size(bench, -0.1F);
   ImGui::Separator();
-  if (item(bench, "Wireframe", "W", bench.view.wireframe)) bench.view.wireframe = !bench.view.wireframe;
+  if (menu_item(bench.ui_map, "Wireframe", "W", bench.view.wireframe))
+    bench.view.wireframe = !bench.view.wireframe;
   ImGui::Separator();
-  if (item(bench, "Full screen", "F11")) bench.requests.toggle_full_screen = true;
-  if (item(bench, "Save a screenshot", "F12")) bench.requests.screenshot = true;
+  if (menu_item(bench.ui_map, "Full screen", "F11")) bench.requests.toggle_full_screen = true;
+  if (menu_item(bench.ui_map, "Save a screenshot", "F12")) bench.requests.screenshot = true;
   ImGui::EndMenu();
 }
 
@@ -98,7 +95,7 @@ void MenuBar::draw(Workbench& bench) {
     const bool help = ImGui::BeginMenu("Help");
     bench.ui_map.mark_item("menu:Help");
     if (help) {
-      if (item(bench, "Keys and mouse", "F1")) bench.layout.show_welcome = true;
+      if (menu_item(bench.ui_map, "Keys and mouse", "F1")) bench.layout.show_welcome = true;
       ImGui::EndMenu();
     }
     ImGui::EndMainMenuBar();

@@ -4,7 +4,6 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "app/panels/parameter_row.h"
 #include "app/panels/widgets.h"
@@ -15,13 +14,6 @@
 
 namespace inkbench {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// "model.rabbit.material" -> "rabbit" and "material"; a group that there is once has its title.
 struct Heading {
@@ -74,14 +66,14 @@ bool is_changed(const ParamGroup& group, const ParamGroup* baseline) {
 }  // namespace
 
 bool ParametersPanel::is_found(const std::string& key, const Field& field) const {
-  const std::string text = lower(key + " " + std::string(field.help));
-  const std::vector<std::string> words = split(lower(search_), ' ');
+  const std::string text = lower_case(key + " " + std::string(field.help));
+  const std::vector<std::string> words = split(lower_case(search_), ' ');
   return std::all_of(words.begin(), words.end(),
                      [&](const std::string& word) { return text.find(word) != std::string::npos; });
 }
 
 void ParametersPanel::draw_search(Workbench& bench) {
-  const float button = ImGui::CalcTextSize("Changed").x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float button = button_width("Changed");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
   if (focus_search_) ImGui::SetKeyboardFocusHere();
   focus_search_ = false;

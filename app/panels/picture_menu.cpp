@@ -3,17 +3,9 @@
 #include <imgui.h>
 
 #include "app/panels/file_dialogs.h"
+#include "app/panels/widgets.h"
 
 namespace inkbench {
-namespace {
-
-bool item(Workbench& bench, const char* label, const char* keys = nullptr, bool on = false) {
-  const bool chosen = ImGui::MenuItem(label, keys, on);
-  bench.ui_map.mark_item(std::string("menu:") + label);
-  return chosen;
-}
-
-}  // namespace
 
 void draw_picture_menu(Workbench& bench, BufferName buffer) {
   const std::string id = "menu of " + std::string(name_of(buffer));
@@ -23,15 +15,16 @@ void draw_picture_menu(Workbench& bench, BufferName buffer) {
   if (clicked) ImGui::OpenPopup(id.c_str());
   if (!ImGui::BeginPopup(id.c_str())) return;
   bench.view.selected = buffer;
-  if (item(bench, "Save this picture...", "Ctrl+E")) bench.wanted_dialog = FileDialog::save_image;
-  if (item(bench, "Copy as a command", "Ctrl+Shift+C")) copy_render_command(bench);
+  if (menu_item(bench.ui_map, "Save this picture...", "Ctrl+E")) bench.wanted_dialog = FileDialog::save_image;
+  if (menu_item(bench.ui_map, "Copy as a command", "Ctrl+Shift+C")) copy_render_command(bench);
   ImGui::Separator();
-  if (item(bench, "Fill the window", nullptr, bench.view.filled == buffer))
+  if (menu_item(bench.ui_map, "Fill the window", nullptr, bench.view.filled == buffer))
     bench.view.filled = bench.view.filled ? std::nullopt : std::optional(buffer);
   PictureChoice& choice = bench.pictures.choice(buffer);
   const bool fitted = choice.kind == PictureChoice::Kind::fitted;
-  if (has_range(buffer) && item(bench, "Fit the range", nullptr, fitted)) toggle_fit(choice);
-  if (item(bench, "Wireframe", "W", bench.view.wireframe)) bench.view.wireframe = !bench.view.wireframe;
+  if (has_range(buffer) && menu_item(bench.ui_map, "Fit the range", nullptr, fitted)) toggle_fit(choice);
+  if (menu_item(bench.ui_map, "Wireframe", "W", bench.view.wireframe))
+    bench.view.wireframe = !bench.view.wireframe;
   ImGui::EndPopup();
 }
 

@@ -74,7 +74,7 @@ void PresetsPanel::remove(Workbench& bench) {
 }
 
 void PresetsPanel::draw_saving(Workbench& bench) {
-  const float button = ImGui::CalcTextSize("Save").x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float button = button_width("Save");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
   const bool entered = ImGui::InputTextWithHint("##name", "Name of a new preset", &name_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
@@ -148,7 +148,7 @@ void PresetsPanel::draw_comparison(Workbench& bench) {
   }
   if (table_.rows.empty()) return faint_text("Nothing differs from the settings now.");
   faint_text(std::to_string(table_.rows.size()) + (table_.rows.size() == 1 ? " difference" : " differences"));
-  const float button = ImGui::CalcTextSize("Copy").x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float button = button_width("Copy");
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
   if (ImGui::Button("Copy")) ImGui::SetClipboardText(table_text(table_).c_str());
   bench.ui_map.mark_item("preset:copy table");

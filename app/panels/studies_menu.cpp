@@ -14,12 +14,6 @@
 namespace inkbench {
 namespace {
 
-bool item(Workbench& bench, const char* label, const char* keys = nullptr, bool on = false) {
-  const bool chosen = ImGui::MenuItem(label, keys, on);
-  bench.ui_map.mark_item(std::string("menu:") + label);
-  return chosen;
-}
-
 /// A spec, or the folder of a study that ran.
 void open_path(Workbench& bench, const fs::path& path) {
   std::error_code error;
@@ -63,9 +57,10 @@ void StudiesMenu::draw_menu(Workbench& bench) {
   bench.ui_map.mark_item("menu:Studies");
   if (!open) return;
   Studies& studies = bench.studies;
-  if (item(bench, "Show the studies", "F3", studies.page_open)) studies.page_open = !studies.page_open;
-  if (item(bench, "New study")) attempt(bench, [&] { studies.new_form(bench.settings()); });
-  if (item(bench, "Open a spec or results...")) asking_ = true;
+  if (menu_item(bench.ui_map, "Show the studies", "F3", studies.page_open))
+    studies.page_open = !studies.page_open;
+  if (menu_item(bench.ui_map, "New study")) attempt(bench, [&] { studies.new_form(bench.settings()); });
+  if (menu_item(bench.ui_map, "Open a spec or results...")) asking_ = true;
   ImGui::Separator();
   read_bundled();
   for (const Folder& folder : *bundled_) {
@@ -73,7 +68,8 @@ void StudiesMenu::draw_menu(Workbench& bench) {
     bench.ui_map.mark_item("menu:" + folder.label);
     if (!below) continue;
     for (const Bundled& study : folder.studies) {
-      if (item(bench, study.title.c_str())) attempt(bench, [&] { studies.open_spec(study.file); });
+      if (menu_item(bench.ui_map, study.title.c_str()))
+        attempt(bench, [&] { studies.open_spec(study.file); });
       help_for_item(study.purpose);
     }
     ImGui::EndMenu();

@@ -17,7 +17,7 @@ constexpr float kListWidth = 214;
 
 void close_button(Workbench& bench) {
   const char* label = "Back to the pictures";
-  const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float width = button_width(label);
   const ImVec2 window = ImGui::GetWindowPos();
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({window.x + ImGui::GetWindowWidth() - width - scaled(4), window.y + scaled(1)});

@@ -93,7 +93,7 @@ void values_editor(Workbench& bench, SweepAxis& axis, const Field& field, const 
     const auto place = std::find(axis.values.begin(), axis.values.end(), all[i]);
     const bool on = place != axis.values.end();
     const std::string text = label_text(all[i]);
-    const float width = ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float width = button_width(text.c_str());
     if (i > 0) ImGui::SameLine(0, scaled(4));
     if (i > 0 && ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
     if (toggle_button(text.c_str(), on)) {
@@ -128,7 +128,7 @@ bool axis_head(Workbench& bench, const SweepAxis& axis, size_t index, bool can_t
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted(axis.key.c_str());
   ImGui::PopFont();
-  const float width = ImGui::CalcTextSize("✕").x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float width = button_width("✕");
   ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, scaled(80)));
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
   const bool gone = ImGui::SmallButton("✕");

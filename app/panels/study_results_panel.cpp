@@ -32,10 +32,6 @@ ListedStudy listed_of(const Studies& studies) {
   return other;
 }
 
-float button_width(const char* label) {
-  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
-
 /// The report where there is one, else the grid, else the folder.
 std::filesystem::path page_of(const std::filesystem::path& folder) {
   for (const char* name : {"index.html", "grid.png"}) {

@@ -10,10 +10,6 @@
 namespace inkbench {
 namespace {
 
-float button_width(const char* label) {
-  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
-
 void buffers_menu(Workbench& bench) {
   if (ImGui::Button("Buffers")) ImGui::OpenPopup("buffers");
   bench.ui_map.mark_item("buffers");

@@ -179,7 +179,7 @@ void ViewsPanel::draw_bookmark(Workbench& bench, size_t index) {
 }
 
 void ViewsPanel::draw_bookmarks(Workbench& bench) {
-  const float button = ImGui::CalcTextSize("Keep").x + 2 * ImGui::GetStyle().FramePadding.x;
+  const float button = button_width("Keep");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
   const int key = free_key(bench.keeping.bookmarks());
   const bool entered =

@@ -71,6 +71,16 @@ bool toggle_button(const char* label, bool on, std::string_view help) {
   return pressed;
 }
 
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+bool menu_item(UiMap& map, const char* label, const char* keys, bool on) {
+  const bool chosen = ImGui::MenuItem(label, keys, on);
+  map.mark_item(std::string("menu:") + label);
+  return chosen;
+}
+
 std::string short_number(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);

@@ -25,6 +25,12 @@ float draw_fitted_text(ImDrawList& list, ImVec2 place, float width, ImU32 colour
 /// A button that is on or off.
 bool toggle_button(const char* label, bool on, std::string_view help = "");
 
+/// How wide a button with the label is.
+float button_width(const char* label);
+
+/// An item of a menu, `menu:LABEL` of the map; with a tick while it is on.
+bool menu_item(UiMap& map, const char* label, const char* keys = nullptr, bool on = false);
+
 /// A number of a table as people read it: at most four digits; any other text as it is.
 std::string short_number(const std::string& text);
 

@@ -15,7 +15,6 @@ struct UiRect {
 class UiMap {
  public:
   void enable() { enabled_ = true; }
-  bool is_enabled() const { return enabled_; }
   void begin_frame() { rects_.clear(); }
   /// Names the rectangle of ImGui's last item, as far as it is seen.
   void mark_item(const std::string& name);

@@ -114,10 +114,6 @@ float Window::content_scale() const {
   return std::isfinite(x) ? std::clamp(x, 0.5F, 4.0F) : 1.0F;
 }
 
-void Window::set_title(const std::string& title) {
-  glfwSetWindowTitle(handle_, title.c_str());
-}
-
 void Window::present() {
   glfwSwapBuffers(handle_);
 }

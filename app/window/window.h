@@ -32,7 +32,6 @@ class Window {
   WindowSize size() const;
   /// How much larger than usual the desktop wants text to be: 1, 1.5, 2, ...
   float content_scale() const;
-  void set_title(const std::string& title);
   void present();
   bool is_maximised() const;
   void maximise();

@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 bool is_wanted(const fs::path& name, std::span<const std::string_view> extensions) {
   return extensions.empty() ||
          std::find(extensions.begin(), extensions.end(), lower_extension(name)) != extensions.end();
@@ -69,7 +64,7 @@ std::string_view trimmed(std::string_view text) {
 }  // namespace
 
 std::string lower_extension(const fs::path& path) {
-  return lower(path.extension().string());
+  return lower_case(path.extension().string());
 }
 
 FolderListing list_folder(const fs::path& folder, std::span<const std::string_view> extensions) {
@@ -86,8 +81,8 @@ FolderListing list_folder(const fs::path& folder, std::span<const std::string_vi
   if (error) listing.problem = error.message();
   std::sort(listing.entries.begin(), listing.entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
     if (a.is_folder != b.is_folder) return a.is_folder;
-    const std::string left = lower(a.name);
-    const std::string right = lower(b.name);
+    const std::string left = lower_case(a.name);
+    const std::string right = lower_case(b.name);
     return left != right ? left < right : a.name < b.name;
   });
   return listing;

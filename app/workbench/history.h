@@ -38,8 +38,6 @@ class History {
   void begin_edit(const std::string& name = "");
   void update_edit(Settings next);
   bool end_edit();
-  /// Puts back what was before the edit.
-  void cancel_edit();
   bool is_editing() const { return editing_; }
 
   /// An open edit is ended first, so that undo takes it back.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 
+#include "app/workbench/folder_listing.h"
 #include "app/workbench/presets.h"
 #include "app/workbench/ramp_file.h"
 #include "pipeline/base/error.h"
@@ -21,15 +21,9 @@ constexpr const char* kKnownKinds =
     "studies, ramps";
 constexpr size_t kMaxTomlBytes = size_t{16} << 20;
 
-std::string extension_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
 bool is_mesh_name(const fs::path& path) {
   constexpr std::array<std::string_view, 4> kMeshes{".obj", ".ply", ".off", ".stl"};
-  return std::find(kMeshes.begin(), kMeshes.end(), extension_of(path)) != kMeshes.end();
+  return std::find(kMeshes.begin(), kMeshes.end(), lower_extension(path)) != kMeshes.end();
 }
 
 void check_is_file(const fs::path& path) {
@@ -126,7 +120,7 @@ OpenedFile open_file(const fs::path& path) {
     file.kind = FileKind::mesh;
     return file;
   }
-  if (extension_of(file.path) == ".toml" && is_text(head)) return open_toml(std::move(file));
+  if (lower_extension(file.path) == ".toml" && is_text(head)) return open_toml(std::move(file));
   try {
     return is_text(head) ? open_toml(file) : open_image(file);
   } catch (const Error&) {

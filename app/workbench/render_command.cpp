@@ -24,26 +24,17 @@ RenderCommand render_command(const Settings& settings, const std::filesystem::pa
   command.scene = base.scene;
   command.text = "inkbench render";
   if (base.scene != default_scene().lexically_normal())
-    command.text += " --scene " + shell_quoted(base.scene.string());
+    command.text += " --scene " + shell_word(base.scene.string());
   for (const NarrowChange& change : base.changes) {
     const std::string value =
         is_choice(change.key, copy) ? std::get<std::string>(change.after) : to_text(change.after);
     command.assignments.push_back(change.key + "=" + value);
-    command.text += " --set " + shell_quoted(command.assignments.back());
+    command.text += " --set " + shell_word(command.assignments.back());
   }
   std::vector<std::string> names;
   for (const BufferName buffer : buffers) names.emplace_back(name_of(buffer));
-  command.text += " --buffers " + join(names, ",") + " --out " + shell_quoted(out.string());
+  command.text += " --buffers " + join(names, ",") + " --out " + shell_word(out.string());
   return command;
-}
-
-std::string shell_quoted(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 }  // namespace inkbench

@@ -22,7 +22,4 @@ RenderCommand render_command(const Settings& settings, const std::filesystem::pa
                              const std::vector<BufferName>& buffers = {BufferName::final},
                              const std::filesystem::path& out = "out/render");
 
-/// The word as a shell must see it: as it is where it is plain, else in single quotes.
-std::string shell_quoted(const std::string& word);
-
 }  // namespace inkbench

@@ -1,10 +1,10 @@
 #include "app/workbench/study_form.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/scratch_folder.h"
 #include "pipeline/base/text.h"
 
 namespace inkbench {
@@ -12,26 +12,6 @@ namespace {
 
 constexpr size_t kMaxSpecBytes = size_t{1} << 20;
 constexpr int kMostNames = 1000;
-
-/// A folder that disappears with it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "inkbench_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw work_error(pattern, "cannot be made");
-    path_ = pattern;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// "camera.eye.x" -> "eye_x", "combine.k_depth" -> "k_depth".
 std::string short_name(const std::string& key) {
@@ -192,14 +172,6 @@ std::vector<std::string> sweepable_keys(const Settings& settings) {
     if (can_sweep(param)) keys.push_back(param.key);
   }
   return keys;
-}
-
-bool has_range(const Settings& settings, const std::string& key) {
-  Settings copy = settings;
-  if (!has_param(copy, key)) return false;
-  const Param param = find_param(copy, key, key);
-  const FieldType type = param.field->type;
-  return param.component >= 0 || type == FieldType::integer || type == FieldType::real;
 }
 
 }  // namespace inkbench

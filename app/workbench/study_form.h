@@ -48,7 +48,4 @@ void save_form(const CheckedForm& form);
 /// Every key that an axis can have, components included, in the order of the groups.
 std::vector<std::string> sweepable_keys(const Settings& settings);
 
-/// An axis over numbers in a range; others list their values.
-bool has_range(const Settings& settings, const std::string& key);
-
 }  // namespace inkbench

@@ -8,7 +8,7 @@ namespace inkbench {
 
 double pixel_count(const StudySpec& spec) {
   const ImageParams& image = spec.base.image;
-  const size_t pictures = cell_count(spec) * view_count(spec) * spec.show.size();
+  const size_t pictures = cell_count(spec) * picture_count(spec);
   return static_cast<double>(image.width) * image.height * static_cast<double>(pictures);
 }
 

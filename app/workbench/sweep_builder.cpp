@@ -18,11 +18,6 @@ namespace {
 
 constexpr int kMaxCount = 1000;
 
-bool is_number(const Param& param) {
-  const FieldType type = param.field->type;
-  return param.component >= 0 || type == FieldType::integer || type == FieldType::real;
-}
-
 /// The number as people read it: 0.003 and not the float nearest to it, so that ranges come out round.
 double decimal_of(const Value& value) {
   return std::strtod(to_text(value).c_str(), nullptr);
@@ -52,7 +47,7 @@ Limits range_around(double value, const Field& field) {
 
 void check_range(const SweepAxis& axis, const Param& param) {
   const std::string where = "sweep of " + axis.key;
-  if (!is_number(param))
+  if (!param.is_number())
     throw input_error(where, "is a " + std::string(type_name(param.field->type)), "list its values");
   if (axis.count < 1 || axis.count > kMaxCount)
     throw input_error(where, fmt::format("{} steps", axis.count), fmt::format("give 1 to {}", kMaxCount));
@@ -137,7 +132,7 @@ bool is_wanted(const NarrowChange& change, const std::vector<SweepAxis>& axes) {
 
 bool can_sweep(const Param& param) {
   const FieldType type = param.field->type;
-  return is_number(param) || type == FieldType::boolean || type == FieldType::choice;
+  return param.is_number() || type == FieldType::boolean || type == FieldType::choice;
 }
 
 SweepAxis suggested_axis(const Settings& settings, const std::string& key) {
@@ -150,7 +145,7 @@ SweepAxis suggested_axis(const Settings& settings, const std::string& key) {
                       has_components ? "sweep one component: " + key + ".x" : "sweep a number or a choice");
   }
   SweepAxis axis{.key = key, .scale = field.scale};
-  if (!is_number(param)) {
+  if (!param.is_number()) {
     axis.values = all_values(field);
     return axis;
   }

@@ -22,10 +22,13 @@ std::string join(std::span<const std::string> parts, std::string_view separator)
 std::vector<std::string> split(std::string_view text, char separator);
 std::string_view trim(std::string_view text);
 
+/// Capital letters of ASCII made small; the others stay as they are, whatever the locale.
+std::string lower_case(std::string text);
+
 /// Whether the bytes are UTF-8, which is all that TOML and image metadata can hold.
 bool is_utf8(std::string_view text);
 
-/// As one word of a shell's command line: in single quotes where it needs them.
+/// As one word of a POSIX shell's command line: as it is where it is plain, else in single quotes.
 std::string shell_word(const std::string& text);
 
 /// The candidate with the smallest edit distance to `name`, or "" where none is near enough to be meant.

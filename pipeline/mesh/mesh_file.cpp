@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdlib>
 
 #include "pipeline/base/error.h"
@@ -23,8 +21,7 @@ constexpr uintmax_t kMaxFileBytes = uintmax_t{2} << 30;
 constexpr const char* kKnownFormats = "known formats are .obj, .ply, .off and .stl";
 
 MeshFormat format_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = lower_case(path.extension().string());
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".ply") return MeshFormat::ply;
   if (extension == ".off") return MeshFormat::off;

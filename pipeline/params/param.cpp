@@ -40,4 +40,8 @@ bool Param::overlaps(const Param& other) const {
   return owner == other.owner && field == other.field && (one_is_whole || component == other.component);
 }
 
+bool Param::is_number() const {
+  return component >= 0 || field->type == FieldType::integer || field->type == FieldType::real;
+}
+
 }  // namespace inkbench

@@ -30,6 +30,8 @@ struct Param {
   void set(const Value& value, const std::string& where) const;
   /// Whether setting one changes the other: the same parameter (".x" is ".r"), or a vector and its component.
   bool overlaps(const Param& other) const;
+  /// Whether its value is one number: an integer, a real one or a component of a vector.
+  bool is_number() const;
 };
 
 }  // namespace inkbench

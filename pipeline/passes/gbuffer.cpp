@@ -32,6 +32,14 @@ float near_corner_distance(const CameraParams& camera, float aspect) {
 /// box. Then leaving them out changes no pixel and saves a third of the pass.
 bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float aspect) {
   if (!item.mesh->closed_outwards()) return false;
+  const auto [low, high] = bounds_in_world(item);
+  const glm::vec3 outside = glm::max(glm::max(low - camera.eye, camera.eye - high), glm::vec3(0.0F));
+  return glm::length(outside) > near_corner_distance(camera, aspect);
+}
+
+}  // namespace
+
+Bounds bounds_in_world(const DrawItem& item) {
   const Bounds& bounds = item.mesh->bounds();
   glm::vec3 low(std::numeric_limits<float>::max());
   glm::vec3 high(std::numeric_limits<float>::lowest());
@@ -43,11 +51,8 @@ bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float a
     low = glm::min(low, world);
     high = glm::max(high, world);
   }
-  const glm::vec3 outside = glm::max(glm::max(low - camera.eye, camera.eye - high), glm::vec3(0.0F));
-  return glm::length(outside) > near_corner_distance(camera, aspect);
+  return {low, high};
 }
-
-}  // namespace
 
 GBufferPass::GBufferPass(const GeneratedSources& generated)
     : program_("gbuffer.vert", "gbuffer.frag", {.uniform_blocks = {"draw_block"}}, generated) {}

@@ -24,6 +24,9 @@ struct DrawItem {
   int object_id = 0;
 };
 
+/// The box in world space around the box of the item's mesh.
+Bounds bounds_in_world(const DrawItem& item);
+
 class GBufferPass {
  public:
   explicit GBufferPass(const GeneratedSources& generated);

@@ -44,8 +44,4 @@ LineTally tally_view(const LineView& view, const ReferenceLines& lines, double t
                       .tolerance_px = tolerance_px});
 }
 
-Measures measure_view(const LineView& view, const ReferenceLines& lines, double tolerance_px) {
-  return measures_of(tally_view(view, lines, tolerance_px));
-}
-
 }  // namespace inkbench

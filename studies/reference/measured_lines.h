@@ -1,5 +1,5 @@
 // From an image's edges and its reference lines to what the measures compare. In: raw `combined_edges`,
-// reference lines. Out: line maps and measures, the same for a study's cell and for the window.
+// reference lines. Out: line maps and tallies, the same for a study's cell and for the window.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,5 @@ LineView line_view(const LineMap& drawn, const ReferenceLines& lines);
 /// The counts behind all measures of the view; straightness is measured along tier 1 without `object` lines,
 /// which are staircases along pixels.
 LineTally tally_view(const LineView& view, const ReferenceLines& lines, double tolerance_px = kTolerancePx);
-
-/// Its measures.
-Measures measure_view(const LineView& view, const ReferenceLines& lines, double tolerance_px = kTolerancePx);
 
 }  // namespace inkbench

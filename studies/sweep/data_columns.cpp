@@ -57,11 +57,6 @@ ChartColumn measure_column(const std::string& name) {
   return column;
 }
 
-bool is_number(const Param& param) {
-  return param.component >= 0 || param.field->type == FieldType::integer ||
-         param.field->type == FieldType::real;
-}
-
 ChartColumn varied_column(const StudySpec& spec, Settings& settings, const std::string& key) {
   const Param param = find_param(settings, key, key);
   ChartColumn column{
@@ -69,7 +64,7 @@ ChartColumn varied_column(const StudySpec& spec, Settings& settings, const std::
   for (const Axis& axis : spec.axes) {
     if (axis.key == key) column.label = axis.label;
   }
-  column.is_text = !is_number(param);
+  column.is_text = !param.is_number();
   column.scale = param.field->scale;
   if (key == "mesh.faces") column.zero = "as loaded";
   return column;

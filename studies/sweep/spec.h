@@ -73,6 +73,9 @@ Settings cell_settings(const StudySpec& spec, const Cell& cell);
 /// At least 1: a spec without views has one without a name.
 size_t view_count(const StudySpec& spec);
 
+/// Of each cell: a picture of every shown buffer in every view.
+size_t picture_count(const StudySpec& spec);
+
 /// The cell seen from one of the spec's views.
 Settings view_settings(const StudySpec& spec, const Cell& cell, size_t view);
 

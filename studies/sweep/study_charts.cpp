@@ -1,13 +1,8 @@
 #include "studies/sweep/study_charts.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/scratch_folder.h"
 #include "studies/report/chart.h"
 #include "studies/report/chart_text.h"
 #include "studies/report/gnuplot.h"
@@ -18,30 +13,6 @@ namespace {
 
 constexpr std::chrono::seconds kTimeLimit{120};
 
-/// Where gnuplot writes, so that a picture takes its name only once it is whole.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::error_code error;
-    const fs::path parent = fs::temp_directory_path(error);
-    if (error) throw work_error(parent.string(), "there is no folder for temporary files", error.message());
-    std::string pattern = (parent / "inkbench_chart_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw work_error(pattern, "cannot be made", std::strerror(errno));
-    path_ = pattern;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 void remove_pictures(const DrawnChart& drawn) {
   std::error_code error;
   fs::remove(drawn.svg, error);
@@ -50,7 +21,7 @@ void remove_pictures(const DrawnChart& drawn) {
 
 void draw(const Chart& chart, const CsvTable& table, const DrawnChart& drawn) {
   write_file_atomically(drawn.script, chart_script(chart, table));
-  const ScratchFolder scratch;
+  const ScratchFolder scratch;  // a picture takes its name only once it is whole
   run_gnuplot(drawn.script, scratch.path(), kTimeLimit);
   const std::string svg = read_file(scratch.path() / drawn.svg.filename());
   const std::string png = read_file(scratch.path() / drawn.png.filename());

@@ -121,7 +121,7 @@ std::vector<std::string> StudyFolder::picture_files(size_t index) const {
 
 std::string StudyFolder::overlay_file(size_t index, size_t view) const {
   const std::lock_guard lock(mutex_);
-  return done_.at(index).files.at(view_count(spec_) * spec_.show.size() + view).name;
+  return done_.at(index).files.at(picture_count(spec_) + view).name;
 }
 
 bool StudyFolder::names_its_files(const CellRecord& record) const {

@@ -14,10 +14,6 @@ namespace {
 
 constexpr int kGapPx = 4;  ///< Between the pictures of one cell.
 
-size_t picture_count(const StudySpec& spec) {
-  return view_count(spec) * spec.show.size();
-}
-
 std::vector<std::string> names_of(const std::vector<NamedSet>& sets) {
   std::vector<std::string> names;
   for (const NamedSet& set : sets) names.push_back(set.name);

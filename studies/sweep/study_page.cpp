@@ -10,6 +10,7 @@
 #include "pipeline/base/text.h"
 #include "studies/reference/drawing.h"
 #include "studies/sweep/number_columns.h"
+#include "studies/sweep/study_grid.h"
 
 namespace inkbench {
 namespace {
@@ -18,15 +19,13 @@ std::string count_text(size_t count, const std::string& name) {
   return with_commas(static_cast<long long>(count)) + " " + name + (count == 1 ? "" : "s");
 }
 
+/// The grid's; variants without an axis are none, since each cell bears its variant's name.
 std::vector<PageAxis> page_axes(const StudySpec& spec) {
+  const size_t variants = spec.axes.empty() || spec.variants.empty() ? 0 : 1;
   std::vector<PageAxis> axes;
-  for (const Axis& axis : spec.axes) {
-    PageAxis& labels = axes.emplace_back(PageAxis{axis.label, {}});
-    for (const Value& value : axis.values) labels.values.push_back(label_text(value));
-  }
-  if (!axes.empty() && !spec.variants.empty()) {
-    PageAxis& labels = axes.emplace_back();
-    for (const NamedSet& variant : spec.variants) labels.values.push_back(variant.name);
+  for (size_t i = 0; i < spec.axes.size() + variants; ++i) {
+    const GridAxis axis = grid_axis(spec, i);
+    axes.push_back({axis.label, axis.values});
   }
   return axes;
 }
@@ -34,7 +33,7 @@ std::vector<PageAxis> page_axes(const StudySpec& spec) {
 /// All but the FILE_ columns, which come last: the page shows the files.
 std::vector<PageColumn> page_columns(const StudySpec& spec, const StudyFolder& folder) {
   std::vector<std::string> names = folder.columns();
-  names.resize(names.size() - view_count(spec) * spec.show.size());
+  names.resize(names.size() - picture_count(spec));
   const std::vector<std::string> numbers = number_columns(spec);
   std::vector<PageColumn> columns;
   for (const std::string& name : names) columns.push_back({name, ColumnKind::parameter});
@@ -122,7 +121,7 @@ StudyPageWriter::StudyPageWriter(const StudySpec& spec, const StudyFolder& folde
                                  const std::vector<DrawnChart>& charts)
     : folder_(folder.path()),
       page_(make_page(spec, folder, origin, charts)),
-      plan_(plan_thumbnails(page_.cells.size(), view_count(spec) * spec.show.size(), thumbnail_room(page_))),
+      plan_(plan_thumbnails(page_.cells.size(), picture_count(spec), thumbnail_room(page_))),
       workers_(worker_count(), worker_count()) {
   for (PageCell& cell : page_.cells) cell.thumbnails.resize(std::min(cell.pictures.size(), plan_.per_cell));
 }

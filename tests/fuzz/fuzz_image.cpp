@@ -1,8 +1,6 @@
 // Bytes as image files read as line maps: nothing but an inkbench::Error may come out besides a map of the
 // image's size. The first byte chooses: the bytes are the file; patches to a good PNG or EXR; or the head and
 // the pixels of a PNG. Check sums of PNG chunks are put right, so that damage gets past them.
-#include <unistd.h>
-
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -12,13 +10,12 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/scratch_folder.h"
 #include "pipeline/image/image_file.h"
 #include "studies/measures/line_map.h"
 
 namespace inkbench {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr size_t kSignatureBytes = 8;
 
@@ -26,19 +23,10 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-/// One folder for the whole run, in memory where the system has such a place.
-const fs::path& scratch_folder() {
-  static const struct Scratch {
-    Scratch() {
-      const fs::path base = fs::is_directory("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path();
-      std::string pattern = (base / "inkbench_fuzz_XXXXXX").string();
-      require(mkdtemp(pattern.data()) != nullptr);
-      folder = pattern;
-    }
-    ~Scratch() { fs::remove_all(folder); }
-    fs::path folder;
-  } scratch;
-  return scratch.folder;
+/// One folder for the whole run, in memory where the system has such a place. An Error ends the run.
+const fs::path& scratch_folder() noexcept {
+  static const ScratchFolder scratch(memory_place());
+  return scratch.path();
 }
 
 uint32_t crc32(std::string_view bytes) {

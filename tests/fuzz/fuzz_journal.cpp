@@ -1,7 +1,6 @@
 // Bytes as the journal of a study: what a damaged one says is never trusted further than the files on the
 // disk bear it out. The first byte chooses: the bytes are the journal, or patches to a good one.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -12,12 +11,11 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/scratch_folder.h"
 #include "studies/sweep/study_folder.h"
 
 namespace inkbench {
 namespace {
-
-namespace fs = std::filesystem;
 
 void require(bool condition) {
   if (!condition) std::abort();
@@ -29,23 +27,19 @@ constexpr const char* kSpec =
 
 /// A finished study of three cells in two views, in memory where the system has such a place.
 struct FinishedStudy {
-  fs::path folder;
+  ScratchFolder scratch{memory_place()};
+  const fs::path& folder = scratch.path();
   StudySpec spec = parse_spec(kSpec, "/studies/s.toml", {});
   std::vector<Key> keys;
   std::string journal;
 
   FinishedStudy() {
-    const fs::path base = fs::is_directory("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path();
-    std::string pattern = (base / "inkbench_fuzz_XXXXXX").string();
-    require(mkdtemp(pattern.data()) != nullptr);
-    folder = pattern;
     for (size_t i = 0; i < cell_count(spec); ++i) keys.push_back(KeyBuilder().add(std::to_string(i)).key());
     StudyFolder study(spec, folder, keys, false);
     for (size_t i = 0; i < keys.size(); ++i) finish_cell(study, i);
     study.finish();
     journal = read_file(folder / "journal.jsonl");
   }
-  ~FinishedStudy() { fs::remove_all(folder); }
 
   void finish_cell(StudyFolder& study, size_t index) const {
     std::vector<std::string> overlays;

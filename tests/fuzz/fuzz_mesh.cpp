@@ -1,7 +1,5 @@
 // Bytes as mesh files of every format and as raw polygons: nothing but an inkbench::Error may come out
 // besides a mesh that keeps its promises. The first byte chooses: a format, or the soup.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,14 +11,13 @@
 #include <span>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/scratch_folder.h"
 #include "pipeline/mesh/mesh_file.h"
 #include "pipeline/mesh/polygon_soup.h"
 #include "pipeline/mesh/soup_transfer.h"
 
 namespace inkbench {
 namespace {
-
-namespace fs = std::filesystem;
 
 void require(bool condition) {
   if (!condition) std::abort();
@@ -39,19 +36,10 @@ void check_invariants(const Mesh& mesh) {
   for (int axis = 0; axis < 3; ++axis) require(bounds.low[axis] <= bounds.high[axis]);
 }
 
-/// One folder for the whole run, in memory where the system has such a place.
-const fs::path& scratch_folder() {
-  static const struct Scratch {
-    Scratch() {
-      const fs::path base = fs::is_directory("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path();
-      std::string pattern = (base / "inkbench_fuzz_XXXXXX").string();
-      require(mkdtemp(pattern.data()) != nullptr);
-      folder = pattern;
-    }
-    ~Scratch() { fs::remove_all(folder); }
-    fs::path folder;
-  } scratch;
-  return scratch.folder;
+/// One folder for the whole run, in memory where the system has such a place. An Error ends the run.
+const fs::path& scratch_folder() noexcept {
+  static const ScratchFolder scratch(memory_place());
+  return scratch.path();
 }
 
 void load_as(const char* name, std::span<const uint8_t> content) {

@@ -1,7 +1,5 @@
 // Bytes as a scene, as a study's spec and as a `--set`: nothing but an inkbench::Error may come out besides
 // settings that survive being written and read again. The first byte chooses.
-#include <unistd.h>
-
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include <string_view>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/scratch_folder.h"
 #include "pipeline/base/text.h"
 #include "pipeline/params/toml_value.h"
 #include "pipeline/scene/settings_file.h"
@@ -18,24 +17,14 @@
 namespace inkbench {
 namespace {
 
-namespace fs = std::filesystem;
-
 void require(bool condition) {
   if (!condition) std::abort();
 }
 
-/// An empty folder for the whole run: what inputs refer to is not there.
-const fs::path& empty_folder() {
-  static const struct Scratch {
-    Scratch() {
-      std::string pattern = (fs::temp_directory_path() / "inkbench_fuzz_XXXXXX").string();
-      require(mkdtemp(pattern.data()) != nullptr);
-      folder = pattern;
-    }
-    ~Scratch() { fs::remove_all(folder); }
-    fs::path folder;
-  } scratch;
-  return scratch.folder;
+/// An empty folder for the whole run: what inputs refer to is not there. An Error ends the run.
+const fs::path& empty_folder() noexcept {
+  static const ScratchFolder scratch;
+  return scratch.path();
 }
 
 /// Reading what was accepted cannot fail: an Error here is a finding, so none may pass.

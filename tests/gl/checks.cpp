@@ -115,18 +115,8 @@ std::string input_error_of(const std::function<void()>& action) {
   return "";
 }
 
-TempFolder::TempFolder() {
-  std::string pattern = (fs::temp_directory_path() / "inkbench_gl_XXXXXX").string();
-  path_ = mkdtemp(pattern.data());
-}
-
-TempFolder::~TempFolder() {
-  std::error_code error;
-  fs::remove_all(path_, error);
-}
-
 fs::path TempFolder::write(const std::string& name, std::string_view content) {
-  const fs::path file = path_ / name;
+  const fs::path file = path() / name;
   write_file_atomically(file, content);
   // A file system's clock may not move between two quick writes.
   fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(++writes_));

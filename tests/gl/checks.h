@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/scratch_folder.h"
 #include "pipeline/gl/texture.h"
 #include "tests/gl/cpu_reference.h"
 
@@ -46,16 +47,12 @@ std::string input_error_of(const std::function<void()>& action);
 
 class TempFolder {
  public:
-  TempFolder();
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-  ~TempFolder();
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return scratch_.path(); }
   /// Writes a file inside the folder, each time with a later time of change; returns its path.
   std::filesystem::path write(const std::string& name, std::string_view content);
 
  private:
-  std::filesystem::path path_;
+  ScratchFolder scratch_;
   int writes_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include <map>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/scratch_folder.h"
 
 namespace inkbench {
 namespace {
@@ -45,15 +46,9 @@ const std::string kTetrahedronOff =
 
 class MeshFile : public ::testing::Test {
  protected:
-  MeshFile() {
-    std::string pattern = (fs::temp_directory_path() / "inkbench_mesh_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~MeshFile() override { fs::remove_all(folder_); }
-
   fs::path write(const std::string& name, const std::string& content) {
-    std::ofstream(folder_ / name, std::ios::binary) << content;
-    return folder_ / name;
+    std::ofstream(folder_.path() / name, std::ios::binary) << content;
+    return folder_.path() / name;
   }
   Mesh load(const std::string& name, const std::string& content) {
     return load_mesh_file(write(name, content));
@@ -74,7 +69,7 @@ class MeshFile : public ::testing::Test {
     return failure(write(name, content));
   }
 
-  fs::path folder_;
+  ScratchFolder folder_;
 };
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -281,9 +276,9 @@ TEST_F(MeshFile, sharp_edges_in_obj_normals_are_noted_not_drawn_at_random) {
 }
 
 TEST_F(MeshFile, missing_folder_empty_and_unknown_files_are_named) {
-  EXPECT_THAT(failure(folder_ / "none.obj"), HasSubstr("none.obj: no such file"));
-  fs::create_directory(folder_ / "folder.obj");
-  EXPECT_THAT(failure(folder_ / "folder.obj"), HasSubstr("is a folder"));
+  EXPECT_THAT(failure(folder_.path() / "none.obj"), HasSubstr("none.obj: no such file"));
+  fs::create_directory(folder_.path() / "folder.obj");
+  EXPECT_THAT(failure(folder_.path() / "folder.obj"), HasSubstr("is a folder"));
   for (const std::string name : {"e.obj", "e.ply", "e.off", "e.stl"}) {
     EXPECT_THAT(failure_of(name, ""), HasSubstr(name + ": is empty"));
   }

@@ -128,6 +128,10 @@ TEST(Suggest, lists_few_candidates_and_says_nothing_of_many) {
   EXPECT_EQ(suggest("zzzzzz", {}), "");
 }
 
+TEST(Text, lower_case_leaves_letters_beyond_ascii) {
+  EXPECT_EQ(lower_case(".PnG [@Z`{ \xc3\x84"), ".png [@z`{ \xc3\x84");
+}
+
 TEST(Text, tells_utf8_from_other_bytes) {
   for (const char* text :
        {"", "plain", "\xc3\xa4", "\xe2\x82\xac", "\xf0\x9f\x90\x87", "\xef\xbf\xbf", "\xf4\x8f\xbf\xbf"})

@@ -103,15 +103,6 @@ TEST(History, undo_in_the_middle_of_a_drag_takes_the_drag_back) {
   EXPECT_EQ(text(history.redo()), text(with_k(0.9F)));
 }
 
-TEST(History, a_cancelled_drag_leaves_no_trace) {
-  History history(paper_settings());
-  history.begin_edit();
-  history.update_edit(with_k(0.9F));
-  history.cancel_edit();
-  EXPECT_EQ(text(history.current()), text(paper_settings()));
-  EXPECT_THAT(history.step_names(), IsEmpty());
-}
-
 TEST(History, beginning_an_edit_ends_the_one_before) {
   History history(paper_settings());
   history.begin_edit();

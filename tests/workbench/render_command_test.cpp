@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/workbench/scene_base.h"
+#include "pipeline/base/text.h"
 #include "tests/workbench/support.h"
 
 namespace inkbench {
@@ -97,13 +98,13 @@ TEST(RenderCommand, without_a_scene_of_these_models_is_an_error_that_helps) {
               HasSubstr("save the settings as a preset"));
 }
 
-TEST(ShellQuoted, leaves_plain_words_and_quotes_the_rest) {
-  EXPECT_EQ(shell_quoted("out/a_b-1.png"), "out/a_b-1.png");
-  EXPECT_EQ(shell_quoted(""), "''");
-  EXPECT_EQ(shell_quoted("~"), "'~'");
-  EXPECT_EQ(shell_quoted("a'b"), "'a'\\''b'");
+TEST(ShellWord, leaves_plain_words_and_quotes_the_rest) {
+  EXPECT_EQ(shell_word("out/a_b-1.png"), "out/a_b-1.png");
+  EXPECT_EQ(shell_word(""), "''");
+  EXPECT_EQ(shell_word("~"), "'~'");
+  EXPECT_EQ(shell_word("a'b"), "'a'\\''b'");
   const std::string all = "\t !\"#$&'()*;<>?[\\]^`{|}~\n\xc3\xa4";
-  EXPECT_EQ(words_of("inkbench " + shell_quoted(all)), std::vector<std::string>{all});
+  EXPECT_EQ(words_of("inkbench " + shell_word(all)), std::vector<std::string>{all});
 }
 
 }  // namespace
