@@ -250,7 +250,7 @@ TEST_F(AppStudy, a_stopped_study_is_continued) {
 
 TEST_F(AppStudy, closing_the_window_ends_its_study_which_can_be_continued) {
   open_small();
-  run_spec("long", 600);
+  run_spec("long", 400);
   wait_for_cells("long");
   const auto start = Clock::now();
   quit();
@@ -258,14 +258,14 @@ TEST_F(AppStudy, closing_the_window_ends_its_study_which_can_be_continued) {
   EXPECT_TRUE(study_processes().empty());
   EXPECT_EQ(Json::parse(bytes_of(results("long") / "manifest.json"))["state"], "stopped");
   const Json progress = run_by_hand(file("long.toml"), results("long"));
-  EXPECT_EQ(progress["done"], 600);
-  EXPECT_LT(progress["drawn"], 600) << "it goes on where it was";
-  EXPECT_EQ(lines_of(results("long") / "data.csv").size(), 601U);
+  EXPECT_EQ(progress["done"], 400);
+  EXPECT_LT(progress["drawn"], 400) << "it goes on where it was";
+  EXPECT_EQ(lines_of(results("long") / "data.csv").size(), 401U);
 }
 
 TEST_F(AppStudy, study_of_a_killed_window_ends_too_and_can_be_continued) {
   open_small();
-  run_spec("long", 600);
+  run_spec("long", 400);
   wait_for_cells("long");
   ASSERT_EQ(study_processes().size(), 1U);
   kill_program();
@@ -273,15 +273,15 @@ TEST_F(AppStudy, study_of_a_killed_window_ends_too_and_can_be_continued) {
   open_with({});
   const Json listed = study_in(state(), "long");
   EXPECT_EQ(listed["state"], "stopped");
-  EXPECT_EQ(listed["total"], 600);
+  EXPECT_EQ(listed["total"], 400);
   const Json progress = run_by_hand(file("long.toml"), results("long"));
-  EXPECT_EQ(progress["done"], 600);
-  EXPECT_LT(progress["drawn"], 600);
+  EXPECT_EQ(progress["done"], 400);
+  EXPECT_LT(progress["drawn"], 400);
 }
 
 TEST_F(AppStudy, studies_run_one_after_the_other_and_a_broken_one_is_told) {
   open_small();
-  run_spec("one", 1000);
+  run_spec("one", 700);
   run_spec("two", 3);
   run_spec("three", 3);
   const Json queued = settled();
@@ -294,7 +294,7 @@ TEST_F(AppStudy, studies_run_one_after_the_other_and_a_broken_one_is_told) {
   EXPECT_EQ(wait_for_study("three", "finished")["done"], 3);
   const Json over = settled();
   EXPECT_EQ(study_in(over, "one")["state"], "finished");
-  EXPECT_EQ(study_in(over, "one")["done"], 1000);
+  EXPECT_EQ(study_in(over, "one")["done"], 700);
   EXPECT_EQ(study_in(over, "two")["state"], "failed");
   EXPECT_NE(study_in(over, "two")["problem"].get<std::string>().find("two.toml:4"), std::string::npos)
       << study_in(over, "two");
