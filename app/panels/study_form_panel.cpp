@@ -198,13 +198,27 @@ void draw_fields(Workbench& bench, StudyForm& form, const CheckedForm& checked) 
     text_row(bench, "Title", form.request.title, checked.spec ? checked.spec->title : "");
   }
   place_rows(bench, form, checked);
-  ImGui::Dummy({0, scaled(6)});
-  plan_lines(bench, checked);
-  ImGui::Dummy({0, scaled(4)});
-  run_buttons(bench, checked);
 }
 
 }  // namespace
+
+/// Fields scroll where they do not fit; what runs them stays in sight.
+void StudyFormPanel::draw_form(Workbench& bench, const CheckedForm& checked) {
+  const float foot = ImGui::GetContentRegionAvail().y - foot_height_;
+  ImGui::BeginChild("fields", {0, std::max(std::min(fields_height_, foot), scaled(40))}, false,
+                    ImGuiWindowFlags_NoBackground);
+  draw_fields(bench, *bench.studies.form(), checked);
+  const float fields = ImGui::GetCursorPosY();
+  ImGui::EndChild();
+  const float top = ImGui::GetCursorPosY();
+  plan_lines(bench, checked);
+  ImGui::Dummy({0, scaled(4)});
+  run_buttons(bench, checked);
+  const float height = ImGui::GetCursorPosY() - top + scaled(4);
+  if (fields != fields_height_ || height != foot_height_) bench.wake_in(0);
+  fields_height_ = fields;
+  foot_height_ = height;
+}
 
 /// Typing in the text makes it a spec written by hand.
 void StudyFormPanel::draw_spec(Workbench& bench, const CheckedForm& checked) {
@@ -239,13 +253,15 @@ void StudyFormPanel::draw_spec(Workbench& bench, const CheckedForm& checked) {
 void StudyFormPanel::draw(Workbench& bench) {
   Studies& studies = bench.studies;
   if (studies.form() == nullptr) return empty_page(bench);
-  const CheckedForm& checked = studies.checked(bench.settings(), {}, !bench.is_editing());
+  const CheckedForm& checked = studies.checked(bench.settings(), bench.scene(), !bench.is_editing());
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = scaled(20);
   const float left = std::clamp(std::floor(room.x * 0.55F), scaled(330), scaled(520));
   const bool beside = room.x - left - gap > scaled(200);
-  ImGui::BeginChild("form", {beside ? left : 0, 0}, false, ImGuiWindowFlags_NoBackground);
-  draw_fields(bench, *studies.form(), checked);
+  ImGui::BeginChild(
+      "form", {beside ? left : 0, 0}, false,
+      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  draw_form(bench, checked);
   ImGui::EndChild();
   if (!beside || studies.form() == nullptr || !studies.shows_form()) return;
   ImGui::SameLine(0, gap);

@@ -14,7 +14,10 @@ class StudyFormPanel {
   void draw(Workbench& bench);
 
  private:
+  void draw_form(Workbench& bench, const CheckedForm& checked);
   void draw_spec(Workbench& bench, const CheckedForm& checked);
+
+  float fields_height_ = 0, foot_height_ = 0;  ///< As they were drawn last.
 };
 
 }  // namespace inkbench

@@ -18,7 +18,8 @@
 namespace inkbench {
 namespace {
 
-constexpr double kReadSeconds = 0.03;
+/// Until a picture that is being read is looked for again; a study that runs brings new ones all the time.
+constexpr double kReadSeconds = 0.03, kReadSecondsBesideStudy = 0.15;
 
 ListedStudy listed_of(const Studies& studies) {
   for (const ListedStudy& entry : studies.list()) {
@@ -194,7 +195,7 @@ void StudyResultsPanel::draw(Workbench& bench) {
   thumbnails_.begin_frame();
   const GridMouse mouse = draw_study_grid(bench, results, choice_, thumbnails_);
   thumbnails_.end_frame();
-  if (thumbnails_.is_waiting()) bench.wake_in(kReadSeconds);
+  if (thumbnails_.is_waiting()) bench.wake_in(studies.is_busy() ? kReadSecondsBesideStudy : kReadSeconds);
   if (mouse.clicked) take_over(bench, results, *mouse.clicked);
   draw_cell_menu(bench, results, mouse);
 }

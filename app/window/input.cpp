@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <cfloat>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -28,6 +29,10 @@ struct InputQueue::FrameState {
   std::bitset<5> buttons;  ///< That changed.
   std::set<int> keys;      ///< That changed.
   bool scrolled = false, other_keys = false;
+  std::optional<int> mods;  ///< That were held for the keys and buttons, as the desktop says.
+
+  /// Whether the event's modifiers are those of the events before it.
+  bool agrees(const InputEvent& event) const { return !mods || *mods == event.mods; }
 };
 
 InputQueue::InputQueue(GLFWwindow* window) : window_(window) {
@@ -95,15 +100,16 @@ bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
   switch (event.kind) {
     case Kind::move:
     case Kind::leave:
-      if (frame.buttons.any() || frame.scrolled) return false;
+      if (frame.buttons.any() || frame.scrolled || !frame.keys.empty()) return false;
       mouse_inside_ = event.kind == Kind::move;
       mouse_x_ = event.x;
       mouse_y_ = event.y;
       return true;
     case Kind::button:
       if (event.code < 0 || event.code >= static_cast<int>(buttons_.size())) return true;
-      if (frame.buttons[event.code] || frame.scrolled) return false;
+      if (frame.buttons[event.code] || frame.scrolled || !frame.agrees(event)) return false;
       frame.buttons[event.code] = true;
+      frame.mods = event.mods;
       buttons_[event.code] = event.action == GLFW_PRESS;
       return true;
     case Kind::scroll:
@@ -114,6 +120,10 @@ bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
     case Kind::key:
       if (frame.buttons.any() || frame.scrolled || frame.keys.contains(event.code)) return false;
       if (is_modifier(event.code) && !frame.keys.empty()) return false;  // it was held for those keys, or not
+      if (!is_modifier(event.code)) {
+        if (!frame.agrees(event)) return false;
+        frame.mods = event.mods;
+      }
       frame.keys.insert(event.code);
       frame.other_keys |= !makes_text(event.code);
       ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.mods);
@@ -134,12 +144,15 @@ void InputQueue::feed() {
   io.MousePos =
       known ? ImVec2(static_cast<float>(mouse_x_), static_cast<float>(mouse_y_)) : ImVec2(-FLT_MAX, -FLT_MAX);
   for (size_t i = 0; i < buttons_.size(); ++i) io.MouseDown[i] = buttons_[i];
-  // The backend asks for the keys' state now, which may be later than the events of this frame.
-  const auto down = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
-  io.KeyCtrl = down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-  io.KeyShift = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-  io.KeyAlt = down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
-  io.KeySuper = down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
+  // The backend asks for the keys' state now, which may be later than the events of this frame. What the
+  // events say is needed as well: GLFW drops a press within the same millisecond as the last one of that key.
+  const auto held = [&](int bit, int left, int right) {
+    return io.KeysDown[left] || io.KeysDown[right] || (frame.mods.value_or(0) & bit) != 0;
+  };
+  io.KeyCtrl = held(GLFW_MOD_CONTROL, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+  io.KeyShift = held(GLFW_MOD_SHIFT, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+  io.KeyAlt = held(GLFW_MOD_ALT, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+  io.KeySuper = held(GLFW_MOD_SUPER, GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
 }
 
 bool InputQueue::take_activity() {

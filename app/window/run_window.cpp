@@ -118,6 +118,7 @@ void WindowLoop::wait() {
   if (busy) {
     poll_events();
   } else {
+    write_state();
     wait_for_events(std::min(next_poll_, wake_at_) - now);
   }
   if (input_.take_activity()) frames_wanted_ = kSettleFrames;
@@ -223,10 +224,7 @@ void WindowLoop::run() {
   while (!window_.wants_to_close()) {
     wait();
     const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
-    if (!busy) {
-      write_state();
-      continue;
-    }
+    if (!busy) continue;
     drag_by_itself();
     draw_frame();
     --frames_wanted_;

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/scene/settings_file.h"
@@ -102,6 +103,49 @@ Json log_of(const MessageLog& log) {
   return json;
 }
 
+Json form_of(const Studies& studies) {
+  const StudyForm* form = studies.form();
+  if (form == nullptr) return nullptr;
+  const CheckedForm& checked = studies.last_checked();
+  Json axes = Json::array();
+  for (const SweepAxis& axis : form->request.axes)
+    axes.push_back({{"key", axis.key},
+                    {"from", axis.from},
+                    {"to", axis.to},
+                    {"count", axis.count},
+                    {"values", axis.values.size()}});
+  return {{"shown", studies.shows_form()},
+          {"axes", axes},
+          {"size", {form->width_px, form->height_px}},
+          {"spec", checked.draft.path.string()},
+          {"saved", checked.is_saved},
+          {"cells", checked.spec ? cell_count(*checked.spec) : 0},
+          {"problem", checked.problem}};
+}
+
+/// By the names of their folders, newest first.
+Json study_list_of(const Studies& studies) {
+  constexpr std::array kNames{"waiting", "running", "stopping", "finished", "stopped", "failed"};
+  Json json = Json::array();
+  for (const ListedStudy& study : studies.list()) {
+    Json entry{{"name", study.study.folder.filename().string()},
+               {"state", kNames.at(static_cast<size_t>(study.state))},
+               {"done", study.done},
+               {"total", study.total}};
+    if (study.job != nullptr) entry["drawn"] = study.job->drawn;
+    if (study.job != nullptr) entry["problem"] = study.job->problem;
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
+Json studies_of(const Studies& studies) {
+  Json json{{"page_open", studies.page_open}, {"form", form_of(studies)}, {"list", study_list_of(studies)}};
+  json["shown"] = studies.shown() ? Json(studies.shown()->folder.filename().string()) : Json(nullptr);
+  json["cells"] = studies.results() ? Json(studies.results()->done()) : Json(nullptr);
+  return json;
+}
+
 }  // namespace
 
 std::string state_text(const Workbench& bench) {
@@ -121,6 +165,7 @@ std::string state_text(const Workbench& bench) {
             {"prepares_levels", bench.ladders.is_busy()},
             {"judge", judge_of(bench.judge)},
             {"why", why_of(bench)},
+            {"studies", studies_of(bench.studies)},
             {"log", log_of(bench.log)}};
   json["bookmarks"] = Json::array();
   for (const CameraBookmark& bookmark : bench.keeping.bookmarks())

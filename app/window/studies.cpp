@@ -228,7 +228,7 @@ void Studies::refresh_results(bool again) {
   if (!shown_) return;
   if (results_ && !again) {
     results_->refresh();
-    return;
+    if (!results_->is_replaced()) return;
   }
   try {
     results_ = StudyResults(shown_->folder, shown_->spec);

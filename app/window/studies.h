@@ -40,8 +40,11 @@ class Studies {
   /// Any spec file. Errors (input): it cannot be read.
   void open_spec(const std::filesystem::path& file);
   StudyForm* form() { return form_ ? &*form_ : nullptr; }
+  const StudyForm* form() const { return form_ ? &*form_ : nullptr; }
   /// The form with these settings; checked again only when something changed and `settled`.
   const CheckedForm& checked(const Settings& settings, const std::filesystem::path& scene, bool settled);
+  /// As it was last checked.
+  const CheckedForm& last_checked() const { return checked_.result; }
   /// Seconds that the checked form takes, about: from studies that ran, else from what the window's own
   /// passes take. Below 0 where nothing is known.
   double estimated_seconds(double pass_seconds_per_pixel) const;

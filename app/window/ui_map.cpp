@@ -1,6 +1,8 @@
 #include "app/window/ui_map.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
 
 namespace inkbench {
 
@@ -8,7 +10,9 @@ void UiMap::mark_item(const std::string& name) {
   if (!enabled_ || !ImGui::IsItemVisible()) return;
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
-  rects_[name] = {low.x, low.y, high.x, high.y};
+  const ImRect& seen = ImGui::GetCurrentWindowRead()->ClipRect;
+  rects_[name] = {std::max(low.x, seen.Min.x), std::max(low.y, seen.Min.y), std::min(high.x, seen.Max.x),
+                  std::min(high.y, seen.Max.y)};
 }
 
 void UiMap::mark(const std::string& name, const UiRect& rect) {

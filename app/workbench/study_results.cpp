@@ -74,6 +74,7 @@ StudySummary read_summary(const fs::path& folder) {
 StudyResults::StudyResults(const fs::path& folder, const fs::path& spec) : folder_(folder) {
   const nlohmann::json manifest = read_manifest(folder);
   summary_ = summary_of(manifest);
+  spec_text_ = text_entry(manifest, "spec");
   spec_ = read_spec(manifest, spec_places(manifest, folder, spec));
   columns_ = grid_axis(spec_, 0);
   rows_ = grid_axis(spec_, 1);
@@ -96,7 +97,9 @@ void StudyResults::forget_data() {
 bool StudyResults::refresh() {
   const bool changed = read_data();
   try {
-    summary_ = read_summary(folder_);
+    const nlohmann::json manifest = read_manifest(folder_);
+    summary_ = summary_of(manifest);
+    replaced_ = text_entry(manifest, "spec") != spec_text_;
   } catch (const Error&) {  // gone meanwhile: what is known stays
   }
   return changed;

@@ -34,6 +34,8 @@ class StudyResults {
 
   /// Takes in cells that ended since. Returns whether there were any.
   bool refresh();
+  /// Whether the folder held another spec's study at the last `refresh`: this is out of date as a whole.
+  bool is_replaced() const { return replaced_; }
 
   const std::filesystem::path& folder() const { return folder_; }
   const StudySpec& spec() const { return spec_; }
@@ -70,6 +72,8 @@ class StudyResults {
 
   std::filesystem::path folder_;
   StudySummary summary_;
+  std::string spec_text_;
+  bool replaced_ = false;
   StudySpec spec_;
   GridAxis columns_, rows_, pages_;
   std::vector<std::string> pictures_, numbers_;

@@ -43,6 +43,7 @@ std::string text_of(const std::filesystem::path& path) {
 AppTest::AppTest() {
   environment_ = {{"DISPLAY", display().name()},
                   {"XDG_CONFIG_HOME", file("config").string()},
+                  {"XDG_DATA_HOME", file("data").string()},
                   {"INKBENCH_CACHE", ""},
                   {"LIBGL_ALWAYS_SOFTWARE", "1"}};
 }
@@ -126,6 +127,11 @@ void AppTest::quit() {
   EXPECT_EQ(wait_for_end(), 0);
 }
 
+void AppTest::kill_program() {
+  kill(process_, SIGKILL);
+  EXPECT_EQ(wait_for_end(), -1);
+}
+
 Json AppTest::state() const {
   const std::string text = text_of(file("state.json"));
   return text.empty() ? Json() : Json::parse(text);
@@ -156,9 +162,16 @@ Json AppTest::settled() {
 }
 
 AppTest::Place AppTest::place(const std::string& widget, double across, double down) {
-  wait_for("the widget '" + widget + "'", [&](const Json& now) { return now["ui"].contains(widget); });
-  const Json ui = settled().at("ui");  // it may still be on its way
-  const auto rect = ui.at(widget).get<std::vector<double>>();
+  Json last;
+  auto moved = Clock::now();
+  // It may still be on its way.
+  wait_for("the widget '" + widget + "' to rest", [&](const Json& now) {
+    const Json rect = now["ui"].contains(widget) ? now["ui"][widget] : Json();
+    if (rect != last) moved = Clock::now();
+    last = rect;
+    return !last.is_null() && Clock::now() - moved > kRest;
+  });
+  const auto rect = last.get<std::vector<double>>();
   return {static_cast<int>(rect[0] + across * (rect[2] - rect[0])),
           static_cast<int>(rect[1] + down * (rect[3] - rect[1]))};
 }
@@ -211,6 +224,15 @@ void AppTest::drag(const Place& from, const Place& to, int button) {
   }
   words.insert(words.end(), {"mouseup", text(button)});
   input(words);
+}
+
+void AppTest::open_by_dialog(const std::filesystem::path& path) {
+  keys("ctrl+o");
+  wait_for("the dialog", [](const Json& now) { return now["ui"].contains("chooser:ok"); });
+  settled();
+  type(path.string());
+  keys("Return");
+  wait_for("the dialog to close", [](const Json& now) { return !now["ui"].contains("chooser:ok"); });
 }
 
 }  // namespace inkbench

@@ -30,6 +30,8 @@ class AppTest : public testing::Test {
   int wait_for_end();
   /// By the keyboard; expects status 0.
   void quit();
+  /// Without a chance to tidy up.
+  void kill_program();
 
   /// What the window says now.
   Json state() const;
@@ -73,6 +75,8 @@ class AppTest : public testing::Test {
 
   /// Memory of the program that is in use.
   long resident_kb() const;
+  /// Types a path into the dialog for opening.
+  void open_by_dialog(const std::filesystem::path& path);
 
   std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
   void write(const std::string& name, const std::string& text) { folder_.write(name, text); }

@@ -1,7 +1,5 @@
 // Keeping and moving: undo, presets, the session and what is left after a crash, opening and saving files,
 // views. All by mouse and keyboard.
-#include <signal.h>
-
 #include <fstream>
 #include <thread>
 
@@ -31,16 +29,6 @@ class AppKeep : public AppTest {
     return wait_for("combine.k_normal = " + value, [&](const Json& now) { return k_normal(now) == value; });
   }
 
-  /// Types a path into the dialog for opening.
-  void open_by_dialog(const fs::path& path) {
-    keys("ctrl+o");
-    wait_for("the dialog", [](const Json& now) { return now["ui"].contains("chooser:ok"); });
-    settled();
-    type(path.string());
-    keys("Return");
-    wait_for("the dialog to close", [](const Json& now) { return !now["ui"].contains("chooser:ok"); });
-  }
-
   /// Saves the buffer that is looked at under that name in the test's folder.
   void save_picture(const std::string& name) {
     keys("ctrl+e");
@@ -61,18 +49,6 @@ class AppKeep : public AppTest {
                     {.environment = environment_});
     EXPECT_EQ(result.status, 0) << result.err;
     return file("out") / (buffer + "." + format);
-  }
-
-  /// The program, found by the state file that it was given; ended without a chance to tidy up.
-  void kill_program() {
-    const std::string mark = file("state.json").string();
-    for (const auto& entry : fs::directory_iterator("/proc")) {
-      const std::string name = entry.path().filename().string();
-      if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-      const std::string command = bytes_of(entry.path() / "cmdline");
-      if (command.find(mark) != std::string::npos) kill(std::stoi(name), SIGKILL);
-    }
-    EXPECT_EQ(wait_for_end(), -1);
   }
 
   /// Until the autosave has that value.

@@ -106,6 +106,21 @@ TEST_F(StudyFormTest, what_is_wrong_in_the_form_is_told) {
   EXPECT_THAT(check(form).problem, HasSubstr("the folder"));
 }
 
+TEST_F(StudyFormTest, scene_that_is_open_is_named_and_not_copied) {
+  Settings settings = paper_settings();
+  settings.models.push_back(settings.models[1]);
+  settings.models.back().name = "second";
+  const fs::path scene = folder_.write("mine.toml", settings_text(settings));
+  const StudyForm form = sweep_form();
+  const CheckedForm checked = check_form(form, settings, scene);
+  ASSERT_TRUE(checked.spec) << checked.problem;
+  EXPECT_EQ(checked.draft.scene_text, "");
+  EXPECT_THAT(checked.draft.text, HasSubstr("scene = \"" + scene.string() + "\""));
+  save_form(checked);
+  EXPECT_FALSE(fs::exists(form.folder / "k_depth_scene.toml"));
+  EXPECT_EQ(load_spec(checked.draft.path).base.models.size(), settings.models.size());
+}
+
 TEST_F(StudyFormTest, models_that_no_file_has_are_checked_without_writing_anything) {
   Settings settings = paper_settings();
   settings.models.push_back(settings.models[1]);

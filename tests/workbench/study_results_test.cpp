@@ -96,6 +96,16 @@ TEST_F(StudyResultsTest, a_table_that_is_written_anew_is_read_anew) {
   EXPECT_EQ(results.summary().state, "finished");
 }
 
+TEST_F(StudyResultsTest, another_study_in_the_same_folder_is_noticed) {
+  StudyResults results(folder(), "");
+  write_manifest("stopped", kSpec);
+  results.refresh();
+  EXPECT_FALSE(results.is_replaced());
+  write_manifest("running", kSpec + "values = [1]\n");
+  results.refresh();
+  EXPECT_TRUE(results.is_replaced());
+}
+
 TEST_F(StudyResultsTest, rows_that_are_none_are_passed_over) {
   write_data(kHead + "x,1\n99,0.003,true,1,1,,a,b\n0,0.003,true,1,1,,a,b\n,\n" + row(3, "0.5"));
   const StudyResults results(folder(), "");
