@@ -244,9 +244,7 @@ std::optional<fs::path> FileChooser::draw(Workbench& bench, const std::function<
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted(question_.title.c_str());
   ImGui::PopFont();
-  ImGui::PushTextWrapPos(0);
-  faint_text(question_.help);
-  ImGui::PopTextWrapPos();
+  wrapped_text(question_.help, theme().faint);
   ImGui::Dummy({0, scaled(2)});
   const float height = std::min(scaled(330), screen.y - scaled(230));
   ImGui::BeginChild("places", {scaled(kPlacesWidth), height});

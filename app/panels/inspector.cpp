@@ -56,9 +56,7 @@ void draw_buffer(Workbench& bench, BufferName buffer) {
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted(name_of(buffer).data());
   ImGui::PopFont();
-  ImGui::PushTextWrapPos(0);
-  faint_text(kMeanings[static_cast<size_t>(buffer)]);
-  ImGui::PopTextWrapPos();
+  wrapped_text(kMeanings[static_cast<size_t>(buffer)], theme().faint);
   const ShownPicture& shown = bench.pictures.shown(buffer, false);
   if (shown.texture != nullptr)
     faint_text(fmt::format("{} × {} px", shown.texture->width_px(), shown.texture->height_px()));
@@ -112,9 +110,7 @@ void InspectorPanel::draw_pixel(Workbench& bench) {
   if (!bench.view.hovered && bench.view.marked)
     pixel = HoveredPixel{{bench.view.selected, false}, bench.view.marked->x, bench.view.marked->y};
   if (!pixel) {
-    ImGui::PushTextWrapPos(0);
-    faint_text("Move the mouse over a picture to read the value of every buffer there.");
-    ImGui::PopTextWrapPos();
+    wrapped_text("Move the mouse over a picture to read the value of every buffer there.", theme().faint);
     return;
   }
   ImGui::PushFont(fonts().bold);

@@ -172,9 +172,7 @@ void JudgeView::draw(Workbench& bench) {
   const Judgement* then = bench.judge.pinned();
   if (now == nullptr) return;
   if (!now->error.empty()) {
-    ImGui::PushTextWrapPos(0);
-    coloured_text(theme().error, now->error);
-    ImGui::PopTextWrapPos();
+    wrapped_text(now->error, theme().error);
     return;
   }
   if (then != nullptr && !then->error.empty()) then = nullptr;

@@ -63,13 +63,12 @@ void MenuBar::view_menu(Workbench& bench) {
   if (menu_item(bench.ui_map, "Ramp editor", "R", bench.view.edits_ramps))
     bench.view.edits_ramps = !bench.view.edits_ramps;
   ImGui::Separator();
-  ViewState& view = bench.view;
-  if (menu_item(bench.ui_map, "Pictures as they are", "L", view.overlay == Overlay::none))
-    view.overlay = Overlay::none;
-  if (menu_item(bench.ui_map, "Reference lines over them", "L", view.overlay == Overlay::reference))
-    view.overlay = Overlay::reference;
-  if (menu_item(bench.ui_map, "Right and wrong lines", "L", view.overlay == Overlay::matches))
-    view.overlay = Overlay::matches;
+  if (menu_item(bench.ui_map, "Pictures as they are", "L", layout.overlay == Overlay::none))
+    layout.overlay = Overlay::none;
+  if (menu_item(bench.ui_map, "Reference lines over them", "L", layout.overlay == Overlay::reference))
+    layout.overlay = Overlay::reference;
+  if (menu_item(bench.ui_map, "Right and wrong lines", "L", layout.overlay == Overlay::matches))
+    layout.overlay = Overlay::matches;
   ImGui::Separator();
   if (menu_item(bench.ui_map, "Dark", nullptr, layout.theme == Theme::dark)) layout.theme = Theme::dark;
   if (menu_item(bench.ui_map, "Light", nullptr, layout.theme == Theme::light)) layout.theme = Theme::light;

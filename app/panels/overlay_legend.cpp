@@ -50,25 +50,24 @@ float width_of(const Swatch& swatch) {
 
 void overlay_choice(Workbench& bench) {
   constexpr std::array<std::pair<const char*, const char*>, 3> kChoices{
-      {{"Pictures", "Pictures as they are (L)."},
+      {{"Plain", "Pictures as they are (L)."},
        {"Reference", "The reference lines over every picture, by class (L)."},
-       {"Right, wrong",
-        "Drawn lines that match the reference, drawn ones that do not, and missed ones (L)."}}};
+       {"Matches", "Drawn lines that match the reference, drawn ones that do not, and missed ones (L)."}}};
   for (size_t i = 0; i < kChoices.size(); ++i) {
     const auto overlay = static_cast<Overlay>(i);
     if (i > 0) ImGui::SameLine(0, 2);
-    if (toggle_button(kChoices[i].first, bench.view.overlay == overlay, kChoices[i].second))
-      bench.view.overlay = overlay;
+    if (toggle_button(kChoices[i].first, bench.layout.overlay == overlay, kChoices[i].second))
+      bench.layout.overlay = overlay;
     bench.ui_map.mark_item("overlay:" + std::to_string(i));
   }
 }
 
 void next_overlay(Workbench& bench) {
-  bench.view.overlay = static_cast<Overlay>((static_cast<int>(bench.view.overlay) + 1) % 3);
+  bench.layout.overlay = static_cast<Overlay>((static_cast<int>(bench.layout.overlay) + 1) % 3);
 }
 
 float draw_overlay_legend(Workbench& bench, ImVec2 foot, float width) {
-  const Overlay overlay = bench.view.overlay;
+  const Overlay overlay = bench.layout.overlay;
   if (overlay == Overlay::none) return 0;
   const std::vector<Swatch> swatches = overlay == Overlay::reference ? reference_swatches(bench.judge.lines())
                                                                      : match_swatches(bench.judge.now());

@@ -90,9 +90,7 @@ void PresetsPanel::draw_saving(Workbench& bench) {
 void PresetsPanel::draw_list(Workbench& bench, float height) {
   ImGui::BeginChild("presets", {0, height}, false, ImGuiWindowFlags_NoBackground);
   if (names_.empty()) {
-    ImGui::PushTextWrapPos(0);
-    faint_text("No presets yet. A preset keeps all settings under a name.");
-    ImGui::PopTextWrapPos();
+    wrapped_text("No presets yet. A preset keeps all settings under a name.", theme().faint);
   }
   const std::vector<std::string> names = names_;  // a double click loads, which lists again
   for (const std::string& name : names) {
@@ -186,9 +184,7 @@ void PresetsPanel::draw(Workbench& bench) {
   ImGui::Separator();
   draw_actions(bench);
   if (settings_) return draw_comparison(bench);
-  ImGui::PushTextWrapPos(0);
-  coloured_text(theme().error, fault_);
-  ImGui::PopTextWrapPos();
+  wrapped_text(fault_, theme().error);
 }
 
 }  // namespace inkbench

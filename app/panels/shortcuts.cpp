@@ -76,8 +76,8 @@ void plain_letters(Workbench& bench) {
   if (letter_pressed('p')) bench.pin();
   if (letter_pressed('l')) next_overlay(bench);
   if (letter_pressed('j')) {
-    const bool on = bench.layout.show_inspector && bench.view.side_page == SidePage::judge;
-    bench.view.side_page = on ? SidePage::inspector : SidePage::judge;
+    const bool on = bench.layout.show_inspector && bench.layout.side_page == SidePage::judge;
+    bench.layout.side_page = on ? SidePage::inspector : SidePage::judge;
     bench.layout.show_inspector = true;
   }
   if (letter_pressed('r')) bench.view.edits_ramps = !bench.view.edits_ramps;

@@ -10,11 +10,11 @@ namespace inkbench {
 
 void SidePanel::draw(Workbench& bench) {
   constexpr std::array kNames{"Inspector", "Judge"};
-  auto page = static_cast<size_t>(bench.view.side_page);
+  auto page = static_cast<size_t>(bench.layout.side_page);
   heading_tabs(bench.ui_map, kNames, page);
-  bench.view.side_page = static_cast<SidePage>(page);
+  bench.layout.side_page = static_cast<SidePage>(page);
   ImGui::BeginChild("side page", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-  if (bench.view.side_page == SidePage::judge) {
+  if (bench.layout.side_page == SidePage::judge) {
     judge_.draw(bench);
   } else {
     inspector_.draw(bench);

@@ -125,9 +125,8 @@ void draw_study_list(Workbench& bench) {
     if (studies.list().size() != list.size()) return;
   }
   if (!list.empty()) return;
-  ImGui::PushTextWrapPos(0);
-  faint_text("Studies that you run are listed here. They run in the background, one after the other.");
-  ImGui::PopTextWrapPos();
+  wrapped_text("Studies that you run are listed here. They run in the background, one after the other.",
+               theme().faint);
 }
 
 }  // namespace inkbench

@@ -30,8 +30,9 @@ void picture_combo(Workbench& bench, const char* id, ComparedPicture& which) {
   const auto text = [&](const ComparedPicture& one) {
     return std::string(name_of(one.buffer)) + (one.pinned ? ", pinned" : "");
   };
-  ImGui::SetNextItemWidth(scaled(107));
-  const bool open = ImGui::BeginCombo(id, text(which).c_str(), ImGuiComboFlags_HeightLargest);
+  const std::string preview = text(which);
+  ImGui::SetNextItemWidth(button_width(preview.c_str()) + ImGui::GetFrameHeight());
+  const bool open = ImGui::BeginCombo(id, preview.c_str(), ImGuiComboFlags_HeightLargest);
   bench.ui_map.mark_item(id);
   if (!open) return;
   for (int side = 0; side < (pinned ? 2 : 1); ++side) {

@@ -199,9 +199,8 @@ void ViewsPanel::draw_bookmarks(Workbench& bench) {
   ImGui::BeginChild("bookmarks", {0, 0}, false, ImGuiWindowFlags_NoBackground);
   for (size_t i = 0; i < bench.keeping.bookmarks().size(); ++i) draw_bookmark(bench, i);
   if (bench.keeping.bookmarks().empty()) {
-    ImGui::PushTextWrapPos(0);
-    faint_text("No cameras kept yet. Ctrl+1 to 9 keeps the camera, Shift+1 to 9 brings it back.");
-    ImGui::PopTextWrapPos();
+    wrapped_text("No cameras kept yet. Ctrl+1 to 9 keeps the camera, Shift+1 to 9 brings it back.",
+                 theme().faint);
   }
   ImGui::EndChild();
 }

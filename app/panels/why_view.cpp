@@ -19,12 +19,6 @@ namespace {
 
 constexpr float kLargestSum = 2;  // two terms of at most 1
 
-void wrapped(std::string_view text, ImU32 colour) {
-  ImGui::PushTextWrapPos(0);
-  coloured_text(colour, text);
-  ImGui::PopTextWrapPos();
-}
-
 std::vector<std::string> object_names(const Settings& settings) {
   std::vector<std::string> names;
   for (const ModelParams& model : settings.models) names.push_back(model.name);
@@ -120,13 +114,13 @@ void draw_term(const char* name, const TermWhy& term, const Neighbourhood& value
   if (term.step && term.gmax > term.gmin) {
     std::string cause = cause_text(*term.step, is_depth, names);
     cause[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(cause[0])));
-    wrapped(cause + ".", theme().faint);
+    wrapped_text(cause + ".", theme().faint);
   }
 }
 
 void draw_probed(const Settings& drawn, const ProbedPixel& probed) {
   const std::vector<std::string> names = object_names(drawn);
-  wrapped(verdict_text(probed.why), theme().text);
+  wrapped_text(verdict_text(probed.why), theme().text);
   draw_sum(probed.why);
   draw_term("Depth term", probed.why.depth, probed.depth_edges, true, names);
   draw_term("Normal term", probed.why.normal, probed.normal_edges, false, names);
@@ -136,7 +130,7 @@ void draw_probed(const Settings& drawn, const ProbedPixel& probed) {
 
 void draw_why(Workbench& bench) {
   if (!bench.view.marked) {
-    wrapped("Click a pixel to see why it is a line or not.", theme().faint);
+    wrapped_text("Click a pixel to see why it is a line or not.", theme().faint);
     return;
   }
   move_mark(bench, 0, 0);  // the image may be smaller now

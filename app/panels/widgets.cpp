@@ -4,6 +4,7 @@
 
 #include <cfloat>
 #include <cstdlib>
+#include <utility>
 
 #include "app/window/gui.h"
 #include "app/window/theme.h"
@@ -41,6 +42,26 @@ void coloured_text(ImU32 colour, std::string_view text) {
 
 void faint_text(std::string_view text) {
   coloured_text(theme().faint, text);
+}
+
+void wrapped_text(std::string_view text, ImU32 colour) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::string lines;
+  std::string line;
+  size_t next = 0;
+  while (next < text.size()) {
+    const size_t end = std::min(text.find_first_of(" \n", next), text.size());
+    const std::string word(text.substr(next, end - next));
+    const std::string longer = line.empty() ? word : line + " " + word;
+    const bool fits = line.empty() || width_of(longer) <= width;
+    if (!fits) lines += line + "\n";
+    line = fits ? longer : word;
+    if (end < text.size() && text[end] == '\n') lines += std::exchange(line, "") + "\n";
+    next = end + 1;
+  }
+  ImGui::PushTextWrapPos(0);  // for words that are longer, such as paths
+  coloured_text(colour, lines + line);
+  ImGui::PopTextWrapPos();
 }
 
 void fitted_text(std::string_view text, float width, ImU32 colour) {

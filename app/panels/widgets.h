@@ -15,6 +15,8 @@ namespace inkbench {
 void coloured_text(ImU32 colour, std::string_view text);
 /// Text that can wait.
 void faint_text(std::string_view text);
+/// Over as many lines as it takes, broken at spaces alone so that numbers stay whole.
+void wrapped_text(std::string_view text, ImU32 colour);
 
 /// Text that is cut with "..." where it would be wider than `width`; hovering shows all of it.
 void fitted_text(std::string_view text, float width, ImU32 colour);

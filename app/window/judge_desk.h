@@ -9,8 +9,8 @@
 
 #include "app/window/pictures.h"
 #include "app/window/tile.h"
-#include "app/window/view_state.h"
 #include "app/workbench/live_judge.h"
+#include "app/workbench/window_layout.h"
 
 namespace inkbench {
 

@@ -26,7 +26,6 @@ Json view_of(const ViewState& view) {
             {"selected", name_of(view.selected)},
             {"filled", view.filled ? std::string(name_of(*view.filled)) : ""},
             {"marked", view.marked ? Json{view.marked->x, view.marked->y} : Json(nullptr)},
-            {"overlay", static_cast<int>(view.overlay)},
             {"wireframe", view.wireframe},
             {"tool", view.tool == MouseTool::camera ? "camera" : "view"}};
   json["comparison"] = {{"active", view.comparison.active},

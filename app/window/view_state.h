@@ -35,12 +35,6 @@ struct MarkedPixel {
   bool operator==(const MarkedPixel&) const = default;
 };
 
-/// Lines laid over all pictures.
-enum class Overlay { none, reference, matches };
-
-/// What the panel beside the pictures shows.
-enum class SidePage { inspector, judge };
-
 /// What dragging on a picture does.
 enum class MouseTool { view, camera };
 
@@ -58,9 +52,7 @@ struct ViewState {
   std::optional<HoveredPixel> hovered;
   std::optional<MarkedPixel> marked_before;  ///< What a second click brings back.
   std::optional<MarkedPixel> marked;         ///< Asked why it is as it is; shown on all pictures.
-  Overlay overlay = Overlay::none;
-  SidePage side_page = SidePage::inspector;
-  bool edits_ramps = false;  ///< The ramp editor is open, in the place of timings and log.
+  bool edits_ramps = false;                  ///< The ramp editor is open, in the place of timings and log.
 
   void fit() {
     zoom = 1.0;

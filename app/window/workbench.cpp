@@ -109,9 +109,9 @@ void Workbench::refresh() {
   try {
     const bool hurry = is_editing() || frame_times.frames == 0;
     pictures.refresh(target, wanted_buffers(), hurry);
-    const bool judges = layout.show_inspector && view.side_page == SidePage::judge;
+    const bool judges = layout.show_inspector && layout.side_page == SidePage::judge;
     judge.refresh(pictures, target,
-                  {judges || view.overlay == Overlay::matches, view.overlay == Overlay::reference}, hurry);
+                  {judges || layout.overlay == Overlay::matches, layout.overlay == Overlay::reference}, hurry);
     drawn_ = target;
     if (target.mesh == settings().mesh) last_good_ = settings();
     failed_.reset();

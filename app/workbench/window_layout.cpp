@@ -28,6 +28,9 @@ const Description& WindowLayout::description() {
           field<&WindowLayout::show_welcome>(
               {.name = "show_welcome", .help = "Show the page of keys and mouse at the start."}),
           field<&WindowLayout::left_tab>({.name = "left_tab", .help = "What the panel on the left shows."}),
+          field<&WindowLayout::side_page>(
+              {.name = "side_page", .help = "What the panel beside the pictures shows."}),
+          field<&WindowLayout::overlay>({.name = "overlay", .help = "Lines laid over all pictures."}),
           field<&WindowLayout::theme>({.name = "theme", .help = "Dark or light."}),
           field<&WindowLayout::ui_scale>({.name = "ui_scale",
                                           .help = "Size of text and controls; 0 follows the monitor.",

@@ -21,6 +21,20 @@ struct ChoiceNames<LeftTab> {
   static constexpr std::array<std::string_view, 4> names{"parameters", "presets", "history", "views"};
 };
 
+/// What the panel beside the pictures shows.
+enum class SidePage { inspector, judge };
+template <>
+struct ChoiceNames<SidePage> {
+  static constexpr std::array<std::string_view, 2> names{"inspector", "judge"};
+};
+
+/// Lines laid over all pictures.
+enum class Overlay { none, reference, matches };
+template <>
+struct ChoiceNames<Overlay> {
+  static constexpr std::array<std::string_view, 3> names{"none", "reference", "matches"};
+};
+
 struct WindowLayout {
   int width_px = 1280;
   int height_px = 800;
@@ -34,6 +48,8 @@ struct WindowLayout {
   bool show_log = true;
   bool show_welcome = true;
   LeftTab left_tab = LeftTab::parameters;
+  SidePage side_page = SidePage::inspector;
+  Overlay overlay = Overlay::none;
   Theme theme = Theme::dark;
   float ui_scale = 0.0F;
   std::string open_groups = "mesh ramp combine ink";

@@ -108,10 +108,10 @@ TEST_F(AppJudge, nothing_is_measured_that_nobody_sees) {
 TEST_F(AppJudge, lines_over_the_pictures_by_key_change_no_picture) {
   open();
   const Json before = settled();
-  EXPECT_EQ(before["view"]["overlay"], 0);
-  for (int overlay = 1; overlay <= 3; ++overlay) {
+  EXPECT_EQ(before["layout"]["overlay"], "\"none\"");
+  for (const char* overlay : {"\"reference\"", "\"matches\"", "\"none\""}) {
     keys("l");
-    wait_for("the overlay", [&](const Json& now) { return now["view"]["overlay"] == overlay % 3; });
+    wait_for("the overlay", [&](const Json& now) { return now["layout"]["overlay"] == overlay; });
     EXPECT_EQ(settled()["pictures"], before["pictures"]);
   }
   EXPECT_TRUE(state()["problems"].empty());

@@ -30,12 +30,15 @@ TEST_F(AppWindow, next_start_brings_back_settings_dividers_and_theme) {
   click("menu:View");
   click("menu:Light");
   wait_for("the theme", [](const Json& now) { return now["layout"]["theme"] == "\"light\""; });
+  keys("j");
+  wait_for("the judge", [](const Json& now) { return now["layout"]["side_page"] == "\"judge\""; });
   const Json before = settled();
   quit();
   open_with({});
   const Json after = state();
   EXPECT_EQ(after["layout"]["left"], before["layout"]["left"]);
   EXPECT_EQ(after["layout"]["theme"], before["layout"]["theme"]);
+  EXPECT_EQ(after["layout"]["side_page"], before["layout"]["side_page"]);
   EXPECT_EQ(after["parameters"], before["parameters"]);
   EXPECT_EQ(after["scene"], "scene.toml");
 }

@@ -1,0 +1,187 @@
+#!/usr/bin/env python3
+"""Takes the documentation's pictures of the window again, on a display of its own: real mouse and keyboard events, the
+window's own screenshots. Needs Debian's xvfb and xdotool (`./check` installs them) and a build (`./run` makes it).
+
+    scripts/update_screenshots.py [NAME...]     # all, or those named
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PROGRAM = ROOT / "build/release/inkbench"
+IMAGES = ROOT / "docs/images/workbench"
+PATIENCE = 60.0  # s
+
+
+class Window:
+    """The program in a folder of its own, which the next start shares."""
+
+    def __init__(self, display, folder, *arguments, size="1280x800"):
+        self.folder = folder
+        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"),
+                                XDG_DATA_HOME=str(folder / "data"), LIBGL_ALWAYS_SOFTWARE="1")
+        self.state_file = folder / "state.json"
+        self.state_file.unlink(missing_ok=True)
+        self.marks = 0
+        command = [PROGRAM, "app", "--size", size, "--state-file", self.state_file, *arguments]
+        self.process = subprocess.Popen(list(map(str, command)), cwd=folder, env=self.environment)
+        self.rest()
+        if self.state()["layout"]["show_welcome"] == "true":
+            self.key("Escape")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.send("key", "ctrl+q")
+        try:
+            self.process.wait(timeout=PATIENCE)
+        finally:
+            self.process.kill()
+
+    def state(self):
+        return json.loads(self.state_file.read_text())
+
+    def wait(self, what, holds):
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            if self.process.poll() is not None:
+                sys.exit(f"the window ended while waiting for {what}")
+            if self.state_file.exists() and holds(self.state()):
+                return
+            time.sleep(0.05)
+        sys.exit(f"waited in vain for {what}")
+
+    def rest(self):
+        """Until nothing has changed for a moment, judging and reports included."""
+        self.wait("the window", lambda state: True)
+        last, since = None, time.monotonic()
+        while time.monotonic() - since < 1.0:
+            now = self.state_file.read_text()
+            if now != last:
+                last, since = now, time.monotonic()
+            time.sleep(0.05)
+
+    def send(self, *words):
+        subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)
+
+    def input(self, *words):
+        self.send(*words, "key", "Pause")
+        self.marks += 1
+        self.wait("the mouse and keyboard", lambda state: state["marks"] == self.marks)
+        self.rest()
+
+    def key(self, *keys):
+        for key in keys:
+            self.input("key", key)
+
+    def type(self, text):
+        self.input("type", "--delay", "20", text)
+
+    def place(self, widget, across=0.5, down=0.5):
+        self.wait(f"the widget {widget}", lambda state: widget in state["ui"])
+        left, top, right, bottom = self.state()["ui"][widget]
+        return round(left + across * (right - left)), round(top + down * (bottom - top))
+
+    def move(self, widget, across=0.5, down=0.5):
+        self.input("mousemove", *self.place(widget, across, down))
+
+    def click(self, widget, across=0.5, down=0.5, button=1):
+        self.input("mousemove", *self.place(widget, across, down), "click", button)
+
+    def drag(self, start, end):
+        steps = [word for i in range(1, 7) for word in
+                 ("mousemove", *(round(a + (b - a) * i / 6) for a, b in zip(start, end)), "sleep", "0.03")]
+        self.input("mousemove", *start, "mousedown", 1, *steps, "mouseup", 1)
+
+    def save(self, name):
+        before = set(self.folder.glob("inkbench-*.png"))
+        self.key("F12")
+        self.wait("the screenshot", lambda state: set(self.folder.glob("inkbench-*.png")) > before)
+        (picture,) = set(self.folder.glob("inkbench-*.png")) - before
+        shutil.move(picture, IMAGES / f"{name}.png")
+        print(IMAGES / f"{name}.png")
+
+
+def sheet(window):
+    """Every framebuffer, and why a pixel is a line."""
+    window.click("tile:combined_edges", 0.31, 0.33)
+    while not window.state()["why"]["inked"]:
+        window.key("Left")
+    window.move("tile:final", 0.55, 0.6)
+    window.save("sheet")
+
+
+def judge(window):
+    """The lines against the reference lines, two states split."""
+    window.key("Escape", "p")
+    window.drag(window.place("bar:combine.k_normal", 0.41), window.place("bar:combine.k_normal", 0.62))
+    window.key("j", "l", "l", "c")
+    window.input("mousemove", 700, 780)
+    window.wait("the measures", lambda state: not state["judge"]["behind"] and state["judge"]["pinned"])
+    window.rest()
+    window.save("judge")
+
+
+def ramps(window):
+    """The ramp editor under the shaded picture."""
+    window.key("6", "r")
+    window.input("mousemove", 640, 790)
+    window.save("ramps")
+
+
+def polygons(window):
+    """A level of the rabbit with its triangles, in the light theme."""
+    window.click("menu:View")
+    window.click("menu:Light")
+    window.click("bar:mesh.faces", 0.45)
+    window.key("7", "w")
+    window.input("mousemove", 640, 790)
+    window.save("polygons")
+
+
+def study(window):
+    """A grid of two parameters, run from the window."""
+    window.move("bar:combine.k_normal")
+    window.key("s")
+    window.wait("the form", lambda state: "run study" in state["ui"])
+    window.move("bar:combine.k_depth")
+    window.key("shift+s")
+    window.click("run study")
+    window.wait("the study", lambda state: state["studies"]["list"] and state["studies"]["list"][0]["state"] == "done")
+    window.rest()
+    window.save("study")
+
+
+SHOTS = {"sheet": sheet, "judge": judge, "ramps": ramps, "polygons": polygons, "study": study}
+
+
+def main():
+    names = sys.argv[1:] or list(SHOTS)
+    unknown = set(names) - set(SHOTS)
+    if unknown:
+        sys.exit(f"no such picture: {', '.join(unknown)}; there are {', '.join(SHOTS)}")
+    IMAGES.mkdir(parents=True, exist_ok=True)
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1920x1200x24", "-nolisten", "tcp"],
+                              pass_fds=[write], stderr=subprocess.DEVNULL)
+    try:
+        display = ":" + os.read(read, 16).decode().strip()
+        for name in names:
+            with tempfile.TemporaryDirectory() as folder:
+                with Window(display, Path(folder)) as window:
+                    SHOTS[name](window)
+    finally:
+        server.terminate()
+        server.wait()
+
+
+if __name__ == "__main__":
+    main()
