@@ -25,8 +25,9 @@ class Window:
 
     def __init__(self, display, folder, *arguments, size="1280x800"):
         self.folder = folder
-        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"),
-                                XDG_DATA_HOME=str(folder / "data"), LIBGL_ALWAYS_SOFTWARE="1")
+        self.environment = dict(os.environ, DISPLAY=display, HOME=str(folder), LIBGL_ALWAYS_SOFTWARE="1")
+        for variable in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
+            self.environment.pop(variable, None)
         self.state_file = folder / "state.json"
         self.state_file.unlink(missing_ok=True)
         self.marks = 0
@@ -155,7 +156,7 @@ def study(window):
     window.move("bar:combine.k_depth")
     window.key("shift+s")
     window.click("run study")
-    window.wait("the study", lambda state: state["studies"]["list"] and state["studies"]["list"][0]["state"] == "done")
+    window.wait("the study", lambda state: state["studies"]["list"] and state["studies"]["list"][0]["state"] == "finished")
     window.rest()
     window.save("study")
 

@@ -14,6 +14,7 @@
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "app/workbench/duration_text.h"
+#include "app/workbench/folder_listing.h"
 #include "app/workbench/study_plan.h"
 #include "studies/sweep/number_columns.h"
 
@@ -157,7 +158,7 @@ void run_buttons(Workbench& bench, const CheckedForm& checked) {
   ImGui::SameLine();
   const bool saves = ImGui::Button("Save the spec");
   bench.ui_map.mark_item("save spec");
-  help_for_item(checked.draft.path.string());
+  help_for_item(path_text(checked.draft.path));
   ImGui::EndDisabled();
   const std::filesystem::path path = checked.draft.path;
   if (runs) attempt(bench, [&] { bench.studies.run(); });
@@ -186,7 +187,7 @@ void draw_fields(Workbench& bench, StudyForm& form, const CheckedForm& checked) 
     ImGui::PushTextWrapPos(0);
     const bool told = checked.spec && !checked.spec->purpose.empty();
     if (told) ImGui::TextUnformatted(checked.spec->purpose.c_str());
-    faint_text(form.source.empty() ? "Written by hand." : form.source.string());
+    faint_text(form.source.empty() ? "Written by hand." : path_text(form.source));
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, scaled(6)});
   } else {

@@ -10,6 +10,7 @@
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "app/workbench/duration_text.h"
+#include "app/workbench/folder_listing.h"
 #include "pipeline/base/text.h"
 
 namespace inkbench {
@@ -75,7 +76,7 @@ void draw_entry(Workbench& bench, const ListedStudy& entry, int index) {
   const auto& shown = bench.studies.shown();
   const bool selected = !bench.studies.shows_form() && shown && shown->folder == entry.study.folder;
   const bool hot = ImGui::IsItemHovered();
-  help_for_item(entry.study.folder.string());
+  help_for_item(path_text(entry.study.folder));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (selected || hot)
     list.AddRectFilled(low, {low.x + width, low.y + height}, selected ? theme().accent_soft : theme().field,

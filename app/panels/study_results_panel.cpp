@@ -11,6 +11,7 @@
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
+#include "app/workbench/folder_listing.h"
 #include "app/workbench/open_outside.h"
 #include "app/workbench/study_plan.h"
 #include "pipeline/export.h"
@@ -185,7 +186,7 @@ void StudyResultsPanel::draw(Workbench& bench) {
   const float width = ImGui::GetContentRegionAvail().x;
   const bool all_done = listed.state == StudyState::finished && results.failed() == 0;
   fitted_text((all_done ? "finished" : state_text(listed)) + "    " + plan_text(results.spec()) + "    " +
-                  results.folder().string(),
+                  path_text(results.folder()),
               width, theme().faint);
   if (listed.job != nullptr && listed.job->is_over() && !listed.job->problem.empty())
     fitted_text(listed.job->problem, width, theme().error);

@@ -98,6 +98,14 @@ fs::path path_from_text(std::string_view text, const fs::path& folder) {
   return (folder / plain).lexically_normal();
 }
 
+std::string path_text(const fs::path& path) {
+  std::string text = path.string();
+  const char* variable = std::getenv("HOME");
+  const std::string home = variable == nullptr ? "" : fs::path(variable).lexically_normal().string();
+  if (home.size() > 1 && (text == home || text.starts_with(home + "/"))) text.replace(0, home.size(), "~");
+  return text;
+}
+
 std::string size_text(std::uintmax_t bytes) {
   constexpr std::array kUnits{"B", "kB", "MB", "GB", "TB"};
   auto size = static_cast<double>(bytes);

@@ -33,6 +33,9 @@ FolderListing list_folder(const std::filesystem::path& folder, std::span<const s
 /// "file://" of a file manager is decoded, a relative one is taken from `folder`. Empty for an empty text.
 std::filesystem::path path_from_text(std::string_view text, const std::filesystem::path& folder);
 
+/// To show a path: the home folder as "~".
+std::string path_text(const std::filesystem::path& path);
+
 /// "3.2 MB"
 std::string size_text(std::uintmax_t bytes);
 

@@ -51,6 +51,9 @@ TEST(PathFromText, takes_what_people_type_and_paste) {
   EXPECT_EQ(path_from_text("100%.png", "/x"), "/x/100%.png");
   EXPECT_EQ(path_from_text(" \n", "/x"), "");
   EXPECT_EQ(path_from_text("~/q", "/x"), std::string(std::getenv("HOME")) + "/q");
+  EXPECT_EQ(path_text(std::string(std::getenv("HOME")) + "/q r"), "~/q r");
+  EXPECT_EQ(path_text(std::string(std::getenv("HOME")) + "x/q"), std::string(std::getenv("HOME")) + "x/q");
+  EXPECT_EQ(path_text("/elsewhere/q"), "/elsewhere/q");
   EXPECT_EQ(path_from_text("~q", "/x"), "/x/~q");
 }
 
