@@ -61,13 +61,15 @@ void draw_bar(ImVec2 low, ImVec2 high, const Field& field, double value, bool ho
   const float rounding = ImGui::GetStyle().FrameRounding;
   const auto colour = [](ImU32 c) { return ImGui::GetColorU32(c); };
   list.AddRectFilled(low, high, colour(hot ? theme().field_hot : theme().field), rounding);
-  const auto share = static_cast<float>(share_of(field, value));
+  const bool named = value == 0.0 && !field.zero_text.empty();
+  const auto share = named ? 1.0F : static_cast<float>(share_of(field, value));
   const float edge = low.x + share * (high.x - low.x);
   list.PushClipRect(low, {edge, high.y}, true);
   list.AddRectFilled(low, high, colour(theme().accent_soft), rounding);
   list.PopClipRect();
   if (hot) list.AddLine({edge, low.y + 1}, {edge, high.y - 1}, colour(theme().accent), scaled(2));
-  const std::string text = number_text(value, field.type == FieldType::integer);
+  const std::string text =
+      named ? std::string(field.zero_text) : number_text(value, field.type == FieldType::integer);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 place{std::round(low.x + (high.x - low.x - size.x) / 2),
                      low.y + (high.y - low.y - size.y) / 2};

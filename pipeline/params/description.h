@@ -32,6 +32,8 @@ struct FieldText {
   Limits slider{};              ///< The useful range; the hard limits where left out.
   Scale scale = Scale::linear;  ///< Of the slider, and of a sweep that does not say.
   bool is_path = false;  ///< A file's path: relative ones are resolved against the file that sets them.
+  std::string_view zero_text =
+      "";  ///< "all": what a slider shows for 0, which stands beyond its largest value.
   std::string_view matters_when =
       "";  ///< "shape = torus": the setting of the same group without which it has no effect.
 };

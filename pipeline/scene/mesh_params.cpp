@@ -14,7 +14,8 @@ const Description& MeshParams::description() {
                                      .unit = "triangles",
                                      .limits = {0, kMaxSubdividedFaces},
                                      .slider = {100, 100000},
-                                     .scale = Scale::log}),
+                                     .scale = Scale::log,
+                                     .zero_text = "all"}),
           field<&MeshParams::subdivide>({.name = "subdivide",
                                          .help = "Rounds of Loop subdivision, each four times the triangles; "
                                                  "decimation comes after it.",
