@@ -160,6 +160,8 @@ class Workbench {
   Key state_to_draw(const Settings& settings) const;
   std::string files_state();
   bool take_files_state();
+  bool reload_shaders();
+  std::string shader_problem();
 
   History history_;
   std::vector<Origin> origins_;  ///< By the numbers that the history knows.
