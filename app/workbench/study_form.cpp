@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/workbench/whole_paths.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/scratch_folder.h"
@@ -64,7 +65,8 @@ StudyDraft draft_named(const StudyForm& form, const Settings& settings, const fs
   if (form.own_text) {
     StudyDraft draft;
     draft.path = path;
-    draft.text = *form.own_text;
+    const bool moves = !form.source.empty() && form.source.parent_path() != form.folder.lexically_normal();
+    draft.text = moves ? with_whole_paths(*form.own_text, form.source.parent_path()) : *form.own_text;
     return draft;
   }
   SweepRequest request = form.request;
