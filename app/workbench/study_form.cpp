@@ -7,6 +7,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/scratch_folder.h"
 #include "pipeline/base/text.h"
+#include "pipeline/image/image_file.h"
 
 namespace inkbench {
 namespace {
@@ -94,6 +95,12 @@ StudyDraft make_draft(const StudyForm& form, const Settings& settings, const fs:
   return draft;
 }
 
+/// Grids carry their study's spec.
+std::string spec_text(const fs::path& file) {
+  const std::string text = read_file(file);
+  return text.starts_with("\x89PNG") ? read_image_text(file, "inkbench:spec") : text;
+}
+
 void check_place(const StudyForm& form) {
   if (!form.folder.is_absolute()) throw input_error("the folder", "is not a whole path", "begin it with /");
   const bool good = form.name.find('/') == std::string::npos && form.name != "." && form.name != "..";
@@ -136,8 +143,8 @@ StudyForm empty_form(const Settings& settings, const fs::path& folder) {
 StudyForm form_of_file(const fs::path& file, const fs::path& folder) {
   StudyForm form;
   form.source = fs::absolute(file).lexically_normal();
-  form.own_text = read_file(form.source);
-  if (form.own_text->size() > kMaxSpecBytes || !is_utf8(*form.own_text))
+  form.own_text = spec_text(form.source);
+  if (form.own_text->empty() || form.own_text->size() > kMaxSpecBytes || !is_utf8(*form.own_text))
     throw input_error(file.string(), "is no study", "give a spec file (TOML)");
   form.folder = folder;
   return form;

@@ -72,6 +72,26 @@ TEST_F(AppDrop, scene_is_opened) {
   EXPECT_EQ(wait_for_parameter("combine.k_normal", "0.5")["scene"], "other.toml");
 }
 
+TEST_F(AppDrop, study_and_the_grid_of_one_are_opened_as_a_form) {
+  open();
+  const std::string scene = "scene = \"" + file("scene.toml").string() + "\"\nsize = [64, 64]\n";
+  write("sweep.toml", scene + "[[axis]]\nkey = \"combine.k_normal\"\nvalues = [0.1, 0.2, 0.3]\n");
+  const auto wait_for_form = [&](const std::string& spec) {
+    return wait_for("the form of " + spec, [&](const Json& now) {
+      const Json& form = now["studies"]["form"];
+      return !form.is_null() && form["spec"].get<std::string>().ends_with(spec) && form["cells"] == 3;
+    });
+  };
+  drop_files({file("sweep.toml")});
+  EXPECT_EQ(wait_for_form("/sweep.toml")["studies"]["form"]["problem"], "");
+  const CommandResult result =
+      run_command({INKBENCH_EXECUTABLE, "study", file("sweep.toml").string(), "--out", file("out").string()},
+                  {.environment = environment_});
+  ASSERT_EQ(result.status, 0) << result.err;
+  drop_files({file("out/grid.png")});
+  EXPECT_EQ(wait_for_form("/grid.toml")["studies"]["form"]["problem"], "");
+}
+
 TEST_F(AppDrop, names_may_have_blanks_and_any_letters) {
   open();
   const fs::path name = file("Größe 50% #1 & 線画 [x];y+z.png");

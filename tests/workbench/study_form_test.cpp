@@ -2,6 +2,7 @@
 #include "app/workbench/study_form.h"
 
 #include "app/workbench/scene_base.h"
+#include "pipeline/image/image_file.h"
 #include "tests/workbench/support.h"
 
 namespace inkbench {
@@ -180,6 +181,17 @@ TEST_F(StudyFormTest, every_key_that_is_offered_can_be_swept) {
   EXPECT_THAT(keys, Contains("camera.eye.x"));
   EXPECT_THAT(keys, Not(Contains("camera.eye")));
   for (const std::string& key : keys) EXPECT_NO_THROW(suggested_axis(settings, key)) << key;
+}
+
+TEST_F(StudyFormTest, grid_gives_the_spec_of_its_study) {
+  const std::string spec = "title = \"T\"\n[[axis]]\nkey = \"camera.fov\"\nvalues = [20, 30]\n";
+  const fs::path grid = folder_.path() / "grid.png";
+  write_png(grid, Picture(4, 4, 3), {{"inkbench:spec", spec}});
+  const StudyForm form = form_of_file(grid, folder_.path() / "studies");
+  EXPECT_EQ(form.own_text, spec);
+  EXPECT_TRUE(check(form).spec) << check(form).problem;
+  write_png(grid, Picture(4, 4, 3), {});
+  EXPECT_THAT(error_of([&] { form_of_file(grid, folder_.path()); }), HasSubstr("is no study"));
 }
 
 TEST_F(StudyFormTest, file_that_is_no_text_is_refused) {
