@@ -1,6 +1,7 @@
 #include "app/workbench/session_store.h"
 
 #include <algorithm>
+#include <chrono>
 #include <thread>
 
 #include "app/workbench/session_merge.h"
