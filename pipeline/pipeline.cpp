@@ -334,14 +334,23 @@ std::map<std::string, StageCount> Pipeline::counts() const {
       {"ink", final_.count()},       {"blinn_phong", blinn_phong_.count()}, {"picture", pictures}};
 }
 
+std::array<Program*, 8> Pipeline::programs() {
+  return {&gbuffer_pass_.program(), &quantise_pass_.program(), &gradient_pass_.program(),
+          &range_pass_.program(),   &combine_pass_.program(),  &shade_pass_.program(),
+          &ink_pass_.program(),     &picture_pass_.program()};
+}
+
 bool Pipeline::reload_changed_shaders() {
   bool any = false;
-  for (Program* program : {&gbuffer_pass_.program(), &quantise_pass_.program(), &gradient_pass_.program(),
-                           &range_pass_.program(), &combine_pass_.program(), &shade_pass_.program(),
-                           &ink_pass_.program(), &picture_pass_.program()}) {
-    any |= program->reload_if_changed(generated_);
-  }
+  for (Program* program : programs()) any |= program->reload_if_changed(generated_);
   return any;
+}
+
+std::string Pipeline::shader_problem() {
+  for (const Program* program : programs()) {
+    if (!program->problem().empty()) return program->problem();
+  }
+  return "";
 }
 
 }  // namespace inkbench

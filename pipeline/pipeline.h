@@ -110,7 +110,12 @@ class Pipeline {
   /// Returns whether any program is another one now.
   bool reload_changed_shaders();
 
+  /// Of the first program whose files do not compile as they are now; empty where all do.
+  std::string shader_problem();
+
  private:
+  std::array<Program*, 8> programs();
+
   struct View {
     const Texture* texture;
     int first_channel, channels;

@@ -5,6 +5,7 @@
 #include "app/window/workbench.h"
 #include "app/workbench/param_changes.h"
 #include "app/workbench/scene_base.h"
+#include "app/workbench/session_merge.h"
 #include "app/workbench/user_folder.h"
 #include "pipeline/base/error.h"
 
@@ -30,19 +31,23 @@ Keeping::Keeping() : folder_(folder_or_none(notes_)), presets_(folder_ / "preset
 
 Session Keeping::start() {
   Session session = store_ != nullptr ? store_->load() : first_session();
+  kept_ = session;
   if (store_ != nullptr) {
     notes_.insert(notes_.end(), store_->notes().begin(), store_->notes().end());
     drop_known_work(session.settings);
   }
-  kept_ = session;
   saved_layout_ = session.layout;
   return session;
 }
 
-/// Work that differs from what comes back anyway only in the window's sizes is not worth a question.
+/// Work that differs from what comes back anyway only in the window's sizes is not worth a question; its
+/// recent files and bookmarks are kept.
 void Keeping::drop_known_work(const Settings& settings) {
   for (size_t i = store_->unsaved().size(); i-- > 0;) {
-    if (same_settings(store_->unsaved()[i].session.settings, settings)) store_->forget_unsaved(i);
+    const Session& session = store_->unsaved()[i].session;
+    if (!same_settings(session.settings, settings)) continue;
+    merge_lists({}, session, kept_);
+    store_->forget_unsaved(i);
   }
 }
 
@@ -91,7 +96,8 @@ void Keeping::restore(Workbench& bench) {
   const Session session = unsaved().front().session;
   if (!bench.take_over(session.settings, session.scene, "restore unsaved work")) return;
   bench.layout = session.layout;
-  if (!session.bookmarks.empty()) set_bookmarks(session.bookmarks);
+  merge_lists({}, session, kept_);
+  ++own_revision_;
   save_now(bench);  // before the old autosave goes
   discard();
 }

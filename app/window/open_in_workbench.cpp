@@ -3,6 +3,7 @@
 
 #include "app/window/workbench.h"
 #include "pipeline/base/error.h"
+#include "pipeline/base/text.h"
 #include "pipeline/mesh/mesh_file.h"
 #include "pipeline/scene/replace_mesh.h"
 #include "pipeline/scene/settings_file.h"
@@ -85,17 +86,29 @@ void Workbench::take(const OpenedFile& file) {
   }
 }
 
-void Workbench::open(const std::string& path) {
+/// Returns why not; empty where it was opened.
+std::string Workbench::open_one(const std::string& path) {
   try {
     const OpenedFile file = open_file(path);
     if (is_editing()) end_edit();
     take(file);
     keeping.add_recent(file.path);
     tell(Severity::note, fmt::format("opened {}, {}", file.path.string(), name_of(file.kind)));
-    dismiss(ProblemKind::input);
+    return "";
   } catch (const Error& error) {
-    set_problem(ProblemKind::input, error.what());
+    return error.what();
   }
+}
+
+void Workbench::open_all(const std::vector<std::string>& paths) {
+  std::vector<std::string> problems;
+  for (const std::string& path : paths) {
+    std::string problem = open_one(path);
+    if (!problem.empty()) problems.push_back(std::move(problem));
+  }
+  if (paths.empty()) return;
+  if (problems.empty()) return dismiss(ProblemKind::input);
+  set_problem(ProblemKind::input, join(problems, "\n"));
 }
 
 void Workbench::saved_as(const std::filesystem::path& file) {

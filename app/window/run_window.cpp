@@ -135,7 +135,7 @@ void WindowLoop::wait() {
 }
 
 void WindowLoop::build_frame() {
-  for (const std::string& path : input_.take_dropped()) bench_.open(path);
+  bench_.open_all(input_.take_dropped());
   bench_.ui_map.begin_frame();
   bench_.refresh();
   frame_.draw(bench_);

@@ -51,9 +51,21 @@ StudySummary Studies::summary_of(const fs::path& folder) {
   }
 }
 
-void Studies::remember(const RecentStudy& study) {
+/// As the disk has it, since another window may have added to it; as it was last known where there is none.
+std::vector<RecentStudy> Studies::listed() const {
   std::vector<RecentStudy> studies;
+  try {
+    studies = load_recent_studies(list_file());
+  } catch (const Error&) {
+    // It was told at the start.
+  }
+  if (!studies.empty()) return studies;
   for (const Known& known : recent_) studies.push_back(known.study);
+  return studies;
+}
+
+void Studies::remember(const RecentStudy& study) {
+  std::vector<RecentStudy> studies = listed();
   add_recent_study(studies, study);
   std::vector<Known> next;
   for (const RecentStudy& one : studies) next.push_back({one, summary_of(one.folder)});
@@ -66,14 +78,14 @@ void Studies::remember(const RecentStudy& study) {
 }
 
 void Studies::forget(const RecentStudy& study) {
+  std::vector<RecentStudy> studies = listed();
+  std::erase_if(studies, [&](const RecentStudy& one) { return one.folder == study.folder; });
   std::erase_if(recent_, [&](const Known& known) { return known.study.folder == study.folder; });
   if (shown_ && shown_->folder == study.folder) {
     shown_.reset();
     results_.reset();
     shows_form_ = true;
   }
-  std::vector<RecentStudy> studies;
-  for (const Known& known : recent_) studies.push_back(known.study);
   save_recent_studies(list_file(), studies);
 }
 

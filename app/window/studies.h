@@ -90,6 +90,7 @@ class Studies {
   long results_revision() const { return results_revision_; }
 
  private:
+  std::vector<RecentStudy> listed() const;
   void remember(const RecentStudy& study);
   void refresh_results(bool again);
   StudySummary summary_of(const std::filesystem::path& folder);

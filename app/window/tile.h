@@ -41,6 +41,7 @@ class TilePainter {
 
   void observe(PassObserver* observer) { observer_ = observer; }
   bool reload_if_changed() { return program_.reload_if_changed({}); }
+  const std::string& shader_problem() const { return program_.problem(); }
 
  private:
   Texture run(const Texture& picture, const TilePlace& place, int width_px, int height_px,

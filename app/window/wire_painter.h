@@ -25,6 +25,7 @@ class WirePainter {
   const Texture& paint(Pipeline& pipeline, const Settings& settings, const WireView& view);
 
   bool reload_if_changed() { return program_.reload_if_changed({}); }
+  const std::string& shader_problem() const { return program_.problem(); }
 
  private:
   Texture run(Pipeline& pipeline, const Settings& settings, const WireView& view) const;

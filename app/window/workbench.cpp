@@ -135,20 +135,34 @@ std::string Workbench::files_state() {
   }
 }
 
-bool Workbench::poll_files() {
-  bool changed = false;
+/// Of all programs: mending one does not mend another.
+std::string Workbench::shader_problem() {
+  for (const std::string& problem :
+       {pictures.pipeline().shader_problem(), tiles.shader_problem(), wires.shader_problem()}) {
+    if (!problem.empty()) return problem;
+  }
+  return "";
+}
+
+bool Workbench::reload_shaders() {
   try {
-    changed = pictures.pipeline().reload_changed_shaders();
+    bool changed = pictures.pipeline().reload_changed_shaders();
     changed |= tiles.reload_if_changed();
     changed |= wires.reload_if_changed();
-    if (changed) {
-      dismiss(ProblemKind::shader);
-      tell(Severity::note, "shaders reloaded");
-    }
+    if (!changed) return false;
+    tell(Severity::note, "shaders reloaded");
   } catch (const Error& error) {
     set_problem(ProblemKind::shader, error.what());
-    changed = true;
+    return true;
   }
+  const std::string problem = shader_problem();
+  if (problem.empty()) dismiss(ProblemKind::shader);
+  if (!problem.empty()) set_problem(ProblemKind::shader, problem);
+  return true;
+}
+
+bool Workbench::poll_files() {
+  bool changed = reload_shaders();
   changed |= take_files_state();
   if (changed) ++files_revision_;
   return changed;

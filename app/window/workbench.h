@@ -88,7 +88,9 @@ class Workbench {
 
   /// Opens whatever inkbench knows, by what the file holds: scenes, presets, exported images, meshes, ramps,
   /// studies. What cannot be opened is told as a problem and changes nothing.
-  void open(const std::string& path);
+  void open(const std::string& path) { open_all({path}); }
+  /// One after the other; what could not be opened is told even where another could.
+  void open_all(const std::vector<std::string>& paths);
   /// Takes a study that was opened; without it, its settings are taken over.
   std::function<void(const OpenedFile&)> on_study;
   /// The settings are in this file now: it is the scene, and nothing differs from it.
@@ -154,12 +156,15 @@ class Workbench {
   const Origin& origin() const { return origins_.at(history_.origin()); }
   template <class Change>
   bool apply(const Change& change, const std::string& step = "");
+  std::string open_one(const std::string& path);
   void take(const OpenedFile& file);
   void take_mesh(const OpenedFile& file);
   void take_from(const Origin& origin, const Settings& settings, const std::string& step);
   Key state_to_draw(const Settings& settings) const;
   std::string files_state();
   bool take_files_state();
+  bool reload_shaders();
+  std::string shader_problem();
 
   History history_;
   std::vector<Origin> origins_;  ///< By the numbers that the history knows.

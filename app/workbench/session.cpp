@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/workbench/scene_base.h"
+#include "app/workbench/unknown_entries.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
@@ -24,10 +25,11 @@ std::string path_text(const fs::path& path) {
   return to_text(Value(is_utf8(path.string()) ? path.string() : std::string()));
 }
 
-/// Reads the [session] table of one document.
+/// Reads the [session] table of one document; `left_out` takes what it does not know.
 class SessionReader {
  public:
-  explicit SessionReader(std::string name) : name_(std::move(name)) {}
+  SessionReader(std::string name, std::vector<std::string>& left_out)
+      : name_(std::move(name)), left_out_(left_out) {}
 
   void read(const TomlNode& table, Session& session) const {
     for (const auto& [key, node] : entries_of(table, "session")) {
@@ -40,8 +42,7 @@ class SessionReader {
       } else if (key == "bookmark") {
         for (const TomlNode& item : items_of(node, key)) session.bookmarks.push_back(bookmark(item));
       } else {
-        throw input_error(at(node), "unknown entry 'session." + key + "'",
-                          suggest(key, std::vector<std::string>{"scene", "recent", "layout", "bookmark"}));
+        left_out_.push_back(left_out_name("session." + key, node));
       }
     }
   }
@@ -77,7 +78,7 @@ class SessionReader {
       param.set(value_from_toml(param, node, at(node), "/"), at(node));
       return;
     }
-    throw input_error(at(node), "unknown entry '" + key + "." + name + "'");
+    left_out_.push_back(left_out_name(key + "." + name, node));
   }
 
   CameraBookmark bookmark(const TomlNode& table) const {
@@ -95,6 +96,7 @@ class SessionReader {
   }
 
   std::string name_;
+  std::vector<std::string>& left_out_;
 };
 
 }  // namespace
@@ -145,11 +147,15 @@ std::string session_text(const Session& session) {
   return text + settings_text(session.settings);
 }
 
-Session parse_session(std::string_view text, const std::string& name) {
+Session parse_session(std::string_view text, const std::string& name, std::vector<std::string>* left_out) {
   TomlNode document = parse_toml(text, name);
   Session session;
-  if (const TomlNode* table = document.find("session")) SessionReader(name).read(*table, session);
+  std::vector<std::string> unknown;
+  if (const TomlNode* table = document.find("session")) SessionReader(name, unknown).read(*table, session);
   std::erase_if(document.entries, [](const TomlEntry& entry) { return entry.key == "session"; });
+  const std::vector<std::string> parameters = take_unknown_entries(document);
+  unknown.insert(unknown.end(), parameters.begin(), parameters.end());
+  if (left_out != nullptr) *left_out = std::move(unknown);
   session.settings = parse_settings(document, name, "/");
   session.recent.resize(std::min(session.recent.size(), kMaxRecent));
   session.bookmarks.resize(std::min(session.bookmarks.size(), kMaxBookmarks));

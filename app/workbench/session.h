@@ -43,7 +43,9 @@ void drop_missing_recent(Session& session);
 /// session.
 std::string session_text(const Session& session);
 
-/// Errors (input): `name:line` of what is broken, unknown or out of range.
-Session parse_session(std::string_view text, const std::string& name);
+/// Entries that this version does not know are left out and, where there is a list for it, named in
+/// `left_out`. Errors (input): `name:line` of what is broken or out of range.
+Session parse_session(std::string_view text, const std::string& name,
+                      std::vector<std::string>* left_out = nullptr);
 
 }  // namespace inkbench

@@ -1,7 +1,8 @@
 // The session on the disk. Each window autosaves into a folder of its own, which it holds locked for as long
 // as it lives: two windows cannot overwrite each other's work, and since the system lifts the lock of a
 // window that died, however it died, an autosave that nobody holds is unsaved work. A clean exit writes
-// session.toml and removes the autosave; the window closed last decides what session.toml says.
+// session.toml and removes the autosave; the window closed last decides what session.toml says, but for
+// recent files and bookmarks, which all windows share.
 #pragma once
 
 #include <filesystem>
@@ -42,7 +43,8 @@ class SessionStore {
   /// wrote. Errors (work): full disk; the autosave before stays.
   bool autosave(const Session& session);
 
-  /// A clean exit. Errors (work): session.toml cannot be written; then the autosave stays.
+  /// A clean exit; recent files and bookmarks that other windows wrote since `load` are kept. Errors (work):
+  /// session.toml cannot be written; then the autosave stays.
   void close(const Session& session);
 
   /// What a person should hear of: damaged files, no place to write. In order of occurrence.
@@ -58,11 +60,15 @@ class SessionStore {
 
   void take_places();
   void read_unsaved(Place place);
+  Session read(const std::filesystem::path& file);
+  std::unique_ptr<FolderLock> lock_session() const;
+  Session merged(Session session) const;
   void put_aside(const std::filesystem::path& file, const std::string& reason);
 
   std::filesystem::path folder_;
   Place own_;
   std::vector<UnsavedWork> unsaved_;
+  Session started_;  ///< Its lists, as `load` gave them.
   std::string last_text_;
   std::vector<std::string> notes_;
 };

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "app/workbench/whole_paths.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/scratch_folder.h"
 #include "pipeline/base/text.h"
+#include "pipeline/image/image_file.h"
 
 namespace inkbench {
 namespace {
@@ -64,7 +66,8 @@ StudyDraft draft_named(const StudyForm& form, const Settings& settings, const fs
   if (form.own_text) {
     StudyDraft draft;
     draft.path = path;
-    draft.text = *form.own_text;
+    const bool moves = !form.source.empty() && form.source.parent_path() != form.folder.lexically_normal();
+    draft.text = moves ? with_whole_paths(*form.own_text, form.source.parent_path()) : *form.own_text;
     return draft;
   }
   SweepRequest request = form.request;
@@ -90,6 +93,12 @@ StudyDraft make_draft(const StudyForm& form, const Settings& settings, const fs:
   for (int i = 2; i < kMostNames && is_there(draft.path) && !holds(draft.path, draft.text); ++i)
     draft = draft_named(form, settings, scene, stem + "_" + std::to_string(i));
   return draft;
+}
+
+/// Grids carry their study's spec.
+std::string spec_text(const fs::path& file) {
+  const std::string text = read_file(file);
+  return text.starts_with("\x89PNG") ? read_image_text(file, "inkbench:spec") : text;
 }
 
 void check_place(const StudyForm& form) {
@@ -134,8 +143,8 @@ StudyForm empty_form(const Settings& settings, const fs::path& folder) {
 StudyForm form_of_file(const fs::path& file, const fs::path& folder) {
   StudyForm form;
   form.source = fs::absolute(file).lexically_normal();
-  form.own_text = read_file(form.source);
-  if (form.own_text->size() > kMaxSpecBytes || !is_utf8(*form.own_text))
+  form.own_text = spec_text(form.source);
+  if (form.own_text->empty() || form.own_text->size() > kMaxSpecBytes || !is_utf8(*form.own_text))
     throw input_error(file.string(), "is no study", "give a spec file (TOML)");
   form.folder = folder;
   return form;

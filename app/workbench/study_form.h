@@ -36,7 +36,8 @@ struct CheckedForm {
 /// A form that sweeps nothing yet, with the settings' size.
 StudyForm empty_form(const Settings& settings, const std::filesystem::path& folder);
 
-/// The file's text as it is. Errors (input): it cannot be read, or is no text.
+/// The file's text as it is, or that of the study whose grid it is. Errors (input): it cannot be read, or is
+/// no text.
 StudyForm form_of_file(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 /// Throws nothing for what is wrong with the form: that is its `problem`.

@@ -61,13 +61,23 @@ bool Program::reload_if_changed(const GeneratedSources& generated) {
   const Key times = changes();
   if (times == file_times_) return false;
   file_times_ = times;  // an error is told once, not every frame
+  try {
+    reload(generated);
+  } catch (const Error& error) {
+    problem_ = error.what();
+    throw;
+  }
+  problem_.clear();
+  return true;
+}
+
+void Program::reload(const GeneratedSources& generated) {
   const ShaderSource vertex = expand_shader(vertex_name_, generated);
   const ShaderSource fragment = expand_shader(fragment_name_, generated);
   watch(vertex, fragment);  // before linking: mending a file that the broken edit includes counts
   Name fresh = link(vertex, fragment);
   name_ = std::move(fresh);
   remember(vertex, fragment);
-  return true;
 }
 
 Program::Name Program::link(const ShaderSource& vertex, const ShaderSource& fragment) const {

@@ -30,6 +30,9 @@ class Program {
   /// once. Returns whether the program is another one now.
   bool reload_if_changed(const GeneratedSources& generated);
 
+  /// Why the files as they are now do not make a program; empty where they do.
+  const std::string& problem() const { return problem_; }
+
   /// Of both expanded sources: part of every key of what the program draws.
   const Key& key() const { return key_; }
 
@@ -39,6 +42,7 @@ class Program {
   static void destroy(GLuint id) { glDeleteProgram(id); }
   using Name = GlName<&Program::destroy>;
 
+  void reload(const GeneratedSources& generated);
   Name link(const ShaderSource& vertex, const ShaderSource& fragment) const;
   void bind_samplers(GLuint program, std::span<const ShaderSource* const> sources) const;
   void bind_blocks(GLuint program, std::span<const ShaderSource* const> sources) const;
@@ -52,6 +56,7 @@ class Program {
   Key key_;
   std::vector<std::filesystem::path> files_;
   Key file_times_;
+  std::string problem_;
 };
 
 /// Binds textures to units 0, 1, ... in the order of the program's samplers.

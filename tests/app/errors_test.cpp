@@ -8,7 +8,21 @@
 namespace inkbench {
 namespace {
 
-class AppErrors : public AppTest {};
+class AppErrors : public AppTest {
+ protected:
+  /// With a copy of the project's shaders and data in the folder "root".
+  void open_with_own_shaders() {
+    fs::create_directories(file("root"));
+    fs::copy(project_file("shaders"), file("root/shaders"), fs::copy_options::recursive);
+    fs::copy(project_file("data"), file("root/data"), fs::copy_options::recursive);
+    environment_["INKBENCH_ROOT"] = file("root").string();
+    open();
+  }
+  Json wait_for_problem_of(const std::string& name) {
+    return wait_for("the problem of " + name,
+                    [&](const Json& now) { return first_problem(now).find(name) != std::string::npos; });
+  }
+};
 
 TEST_F(AppErrors, without_a_display_names_the_commands_that_need_none) {
   CommandOptions options;
@@ -53,11 +67,7 @@ TEST_F(AppErrors, file_that_cannot_be_opened_is_told_in_the_window) {
 }
 
 TEST_F(AppErrors, broken_shader_names_file_and_line_and_mending_it_draws_again) {
-  fs::create_directories(file("root"));
-  fs::copy(project_file("shaders"), file("root/shaders"), fs::copy_options::recursive);
-  fs::copy(project_file("data"), file("root/data"), fs::copy_options::recursive);
-  environment_["INKBENCH_ROOT"] = file("root").string();
-  open();
+  open_with_own_shaders();
   const Json before = state();
   const fs::path shader = file("root/shaders/combine.frag");
   const std::string good = read_file(shader);
@@ -75,6 +85,26 @@ TEST_F(AppErrors, broken_shader_names_file_and_line_and_mending_it_draws_again) 
   wait_for("the shader", [&](const Json& now) {
     return now["problems"].empty() && now["pictures"]["final"] != before["pictures"]["final"];
   });
+}
+
+TEST_F(AppErrors, problem_of_shaders_stays_until_all_are_mended) {
+  open_with_own_shaders();
+  const std::vector<std::string> names{"combine.frag", "tile.frag", "ink.frag"};
+  std::map<std::string, std::string> good;
+  for (const std::string& name : names) {
+    good[name] = read_file(file("root/shaders") / name);
+    write_file_atomically(file("root/shaders") / name, good[name] + "nonsense\n");
+    wait_for_problem_of("shaders/" + name);
+  }
+  const auto mend = [&](const std::string& name) {
+    write_file_atomically(file("root/shaders") / name, good[name]);
+  };
+  mend("ink.frag");
+  wait_for_problem_of("shaders/combine.frag");
+  mend("combine.frag");
+  wait_for_problem_of("shaders/tile.frag");
+  mend("tile.frag");
+  wait_for("no problem", [](const Json& now) { return now["problems"].empty(); });
 }
 
 }  // namespace

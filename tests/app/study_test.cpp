@@ -311,6 +311,19 @@ TEST_F(AppStudy, studies_run_one_after_the_other_and_a_broken_one_is_told) {
   EXPECT_NE(over["log"].dump().find("two.toml:4"), std::string::npos) << over["log"];
 }
 
+TEST_F(AppStudy, study_that_another_window_ran_meanwhile_stays_in_the_list) {
+  open_small();
+  write("config/inkbench/studies.toml",
+        "[[study]]\ntitle = \"theirs\"\nspec = \"/theirs.toml\"\nfolder = \"/out/theirs\"\n");
+  run_spec("ours", 2);
+  const Json now =
+      wait_for("the end", [&](const Json& state) { return study_in(state, "ours")["state"] == "finished"; });
+  EXPECT_EQ(study_in(now, "theirs")["state"], "stopped");
+  quit();
+  open_with({});
+  EXPECT_EQ(state()["studies"]["list"].size(), 2U);
+}
+
 TEST_F(AppStudy, broken_spec_is_told_and_cannot_be_run) {
   open_small();
   write("bad.toml", "title = \"bad\"\n[[axis]]\nkey = \"camera.eey.x\"\nvalues = [1]\n");

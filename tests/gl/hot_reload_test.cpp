@@ -89,6 +89,23 @@ TEST_F(HotReload, mended_edit_takes_effect) {
   EXPECT_EQ(ran_, (Names{"combine", "ink"}));
 }
 
+TEST_F(HotReload, problem_stays_until_every_program_compiles) {
+  EXPECT_EQ(pipeline_.shader_problem(), "");
+  const std::string combine = folder_.read("combine.frag");
+  const std::string ink = folder_.read("ink.frag");
+  folder_.write("combine.frag", combine + "nonsense\n");
+  input_error_of([&] { pipeline_.reload_changed_shaders(); });
+  folder_.write("ink.frag", ink + "nonsense\n");
+  input_error_of([&] { pipeline_.reload_changed_shaders(); });
+  folder_.write("combine.frag", combine);
+  EXPECT_TRUE(pipeline_.reload_changed_shaders());
+  EXPECT_NE(pipeline_.shader_problem().find("shaders/ink.frag"), std::string::npos)
+      << pipeline_.shader_problem();
+  folder_.write("ink.frag", ink);
+  EXPECT_TRUE(pipeline_.reload_changed_shaders());
+  EXPECT_EQ(pipeline_.shader_problem(), "");
+}
+
 TEST_F(HotReload, deleted_shader_keeps_the_last_good_program) {
   fs::rename(project_file("shaders/combine.frag"), project_file("shaders/elsewhere.frag"));
   const std::string error = input_error_of([&] { pipeline_.reload_changed_shaders(); });

@@ -47,6 +47,17 @@ TEST(Presets, are_listed_by_name) {
   EXPECT_FALSE(store.contains("folder"));
 }
 
+TEST(Presets, of_two_windows_are_all_there) {
+  const TemporaryFolder folder;
+  const PresetStore a(folder.path());
+  const PresetStore b(folder.path());
+  EXPECT_THAT(b.list(), IsEmpty());
+  a.save("of a", paper_settings());
+  b.save("of b", paper_settings());
+  EXPECT_THAT(a.list(), ElementsAre("of a", "of b"));
+  EXPECT_EQ(b.list(), a.list());
+}
+
 TEST(Presets, are_not_overwritten_unless_asked) {
   const TemporaryFolder folder;
   const PresetStore store(folder.path());

@@ -185,6 +185,64 @@ TEST_F(SessionStoreTest, a_damaged_session_is_put_aside_and_does_not_block) {
   }
 }
 
+TEST_F(SessionStoreTest, a_session_of_a_newer_version_is_kept_but_for_what_is_unknown) {
+  std::string content = "[fog]\nnear = 1\n" + session_text(with_k(0.25F));
+  for (int i = 0; i < 9; ++i) content += "new_" + std::to_string(i) + " = 1\n";  // of the last light
+  for (const char* name : {"session.toml", "windows/1/autosave.toml"}) folder_.write(name, content);
+  SessionStore store(path());
+  EXPECT_EQ(session_text(store.load()), session_text(with_k(0.25F)));
+  ASSERT_THAT(store.unsaved(), SizeIs(1));
+  EXPECT_EQ(session_text(store.unsaved()[0].session), session_text(with_k(0.25F)));
+  ASSERT_THAT(store.notes(), SizeIs(2));
+  EXPECT_THAT(store.notes()[1], AllOf(HasSubstr("session.toml: left out"), HasSubstr(": fog (line 1), "),
+                                      HasSubstr("new_0"), HasSubstr(" and 2 more")));
+  EXPECT_TRUE(fs::exists(path() / "session.toml"));
+  EXPECT_FALSE(fs::exists(path() / "session.toml.bad"));
+}
+
+TEST_F(SessionStoreTest, windows_keep_each_others_recent_files_and_bookmarks) {
+  const auto recent = [&](const char* name) { return folder_.write(name, "x"); };
+  Session before = with_k(0.1F);
+  before.recent = {recent("old")};
+  before.bookmarks = {{"stays", 1, {}}, {"goes", 2, {}}};
+  SessionStore(path()).close(before);
+  SessionStore a(path());
+  SessionStore b(path());
+  Session in_a = a.load();
+  Session in_b = b.load();
+  add_recent(in_a, recent("of_a"));
+  in_a.bookmarks = {{"stays", 1, {}}, {"of a", 3, {}}};
+  add_recent(in_b, recent("of_b"));
+  in_b.bookmarks.push_back({"of b", 3, {}});
+  a.close(in_a);
+  b.close(in_b);
+  const Session after = SessionStore(path()).load();
+  EXPECT_THAT(after.recent, ElementsAre(path() / "of_b", path() / "of_a", path() / "old"));
+  std::vector<std::pair<std::string, int>> bookmarks;
+  for (const CameraBookmark& one : after.bookmarks) bookmarks.emplace_back(one.name, one.key);
+  EXPECT_THAT(bookmarks, ElementsAre(std::pair("stays", 1), std::pair("of b", 3), std::pair("of a", 0)));
+}
+
+TEST_F(SessionStoreTest, windows_that_close_at_once_keep_each_others_recent_files) {
+  constexpr int kCount = 8;
+  std::vector<pid_t> children;
+  for (int i = 0; i < kCount; ++i) folder_.write("file_" + std::to_string(i), "x");
+  for (int i = 0; i < kCount; ++i) {
+    const pid_t child = fork();
+    if (child == 0) {
+      SessionStore store(path());
+      Session session = store.load();
+      add_recent(session, path() / ("file_" + std::to_string(i)));
+      usleep(200'000);  // all have loaded
+      store.close(session);
+      _exit(0);
+    }
+    children.push_back(child);
+  }
+  for (const pid_t child : children) waitpid(child, nullptr, 0);
+  EXPECT_THAT(SessionStore(path()).load().recent, SizeIs(kCount));
+}
+
 TEST_F(SessionStoreTest, a_folder_in_the_sessions_place_does_not_block) {
   fs::create_directories(path() / "session.toml");
   SessionStore store(path());

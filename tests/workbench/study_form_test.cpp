@@ -2,6 +2,7 @@
 #include "app/workbench/study_form.h"
 
 #include "app/workbench/scene_base.h"
+#include "pipeline/image/image_file.h"
 #include "tests/workbench/support.h"
 
 namespace inkbench {
@@ -81,6 +82,46 @@ TEST_F(StudyFormTest, bundled_spec_runs_as_it_is_until_it_is_changed) {
   EXPECT_FALSE(changed.is_saved);
 }
 
+TEST_F(StudyFormTest, changed_spec_still_finds_what_lies_beside_the_spec_it_was) {
+  folder_.write("mine/scene.toml", settings_text(paper_settings()));
+  folder_.write("mine/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder_.write("mine/b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const fs::path source = folder_.write("mine/study.toml", R"(title = "a.obj"
+scene = "scene.toml"
+[set]
+model.rabbit.mesh = 'a.obj'
+[[axis]]
+key = "model.rabbit.mesh"
+values = ["a.obj",
+          "b.obj", "rabbit"]
+)");
+  StudyForm form = form_of_file(source, folder_.path() / "studies");
+  form.own_text->insert(0, "# mine\n");
+  const CheckedForm changed = check(form);
+  ASSERT_TRUE(changed.spec) << changed.problem;
+  EXPECT_EQ(changed.draft.path, folder_.path() / "studies/study.toml");
+  EXPECT_EQ(changed.spec->title, "a.obj");
+  save_form(changed);
+  const StudySpec saved = load_spec(changed.draft.path);
+  check_cells(saved);
+  EXPECT_EQ(saved.axes.at(0).values.at(1), Value((folder_.path() / "mine/b.obj").string()));
+  EXPECT_EQ(saved.axes.at(0).values.at(2), Value(std::string("rabbit")));
+  form.folder = source.parent_path();
+  EXPECT_THAT(check(form).draft.text, HasSubstr("scene = \"scene.toml\""))
+      << "paths stay as short as they are";
+}
+
+TEST_F(StudyFormTest, missing_file_of_a_changed_spec_is_looked_for_beside_the_spec_it_was) {
+  const fs::path source = folder_.write(
+      "mine/study.toml",
+      "scene = \"data/scenes/paper.toml\"\n[[axis]]\nkey = \"combine.k_depth\"\nvalues = [1]\n");
+  StudyForm form = form_of_file(source, folder_.path() / "studies");
+  form.own_text->insert(0, "set.ramp.diffuse = \"none.png\"\n");
+  const CheckedForm checked = check(form);
+  ASSERT_TRUE(checked.spec) << "the project's scene: " << checked.problem;
+  EXPECT_EQ(checked.spec->base.ramp.diffuse.image, (folder_.path() / "mine/none.png").string());
+}
+
 TEST_F(StudyFormTest, what_is_wrong_in_a_text_is_told_with_its_line) {
   StudyForm form = sweep_form();
   form.own_text = "title = \"T\"\n[[axis]]\nkey = \"combine.k_dept\"\nvalues = [1]\n";
@@ -140,6 +181,17 @@ TEST_F(StudyFormTest, every_key_that_is_offered_can_be_swept) {
   EXPECT_THAT(keys, Contains("camera.eye.x"));
   EXPECT_THAT(keys, Not(Contains("camera.eye")));
   for (const std::string& key : keys) EXPECT_NO_THROW(suggested_axis(settings, key)) << key;
+}
+
+TEST_F(StudyFormTest, grid_gives_the_spec_of_its_study) {
+  const std::string spec = "title = \"T\"\n[[axis]]\nkey = \"camera.fov\"\nvalues = [20, 30]\n";
+  const fs::path grid = folder_.path() / "grid.png";
+  write_png(grid, Picture(4, 4, 3), {{"inkbench:spec", spec}});
+  const StudyForm form = form_of_file(grid, folder_.path() / "studies");
+  EXPECT_EQ(form.own_text, spec);
+  EXPECT_TRUE(check(form).spec) << check(form).problem;
+  write_png(grid, Picture(4, 4, 3), {});
+  EXPECT_THAT(error_of([&] { form_of_file(grid, folder_.path()); }), HasSubstr("is no study"));
 }
 
 TEST_F(StudyFormTest, file_that_is_no_text_is_refused) {
