@@ -111,7 +111,8 @@ void Workbench::refresh() {
     pictures.refresh(target, wanted_buffers(), hurry);
     const bool judges = layout.show_inspector && layout.side_page == SidePage::judge;
     judge.refresh(pictures, target,
-                  {judges || layout.overlay == Overlay::matches, layout.overlay == Overlay::reference}, hurry);
+                  {judges || layout.overlay == Overlay::matches, layout.overlay == Overlay::reference},
+                  hurry);
     drawn_ = target;
     if (target.mesh == settings().mesh) last_good_ = settings();
     failed_.reset();
