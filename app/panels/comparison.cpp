@@ -76,6 +76,14 @@ void draw_comparison(Workbench& bench, ImVec2 low, ImVec2 room) {
     draw_label(label_of(bench, "B", comparison.b), {rect.high.x - in, rect.low.y + in}, true);
 }
 
+void pin_state(Workbench& bench) {
+  bench.pin();
+  Comparison& comparison = bench.view.comparison;
+  if (!bench.pictures.pinned_settings() || !comparison.active) return;
+  comparison.a = {comparison.b.buffer, true};
+  comparison.b.pinned = false;
+}
+
 void toggle_comparison(Workbench& bench) {
   Comparison& comparison = bench.view.comparison;
   if (comparison.active) {

@@ -14,4 +14,7 @@ void draw_comparison(Workbench& bench, ImVec2 low, ImVec2 room);
 /// the one before it in the chain. Ends one that is on.
 void toggle_comparison(Workbench& bench);
 
+/// Pins the present state; a comparison that is on compares with it from then on.
+void pin_state(Workbench& bench);
+
 }  // namespace inkbench

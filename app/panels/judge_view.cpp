@@ -11,6 +11,7 @@
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
+#include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
 #include "studies/reference/drawing.h"
 
@@ -148,6 +149,20 @@ void draw_others(const Judgement& now, const Judgement* then) {
   }
 }
 
+/// Whether the pinned state shows the same models, at any level, from the same camera.
+bool is_same_view(Workbench& bench) {
+  const auto view_key = [&](Settings settings) {
+    settings.mesh = {};
+    return bench.pictures.pipeline().keys(settings).gbuffer;
+  };
+  try {
+    const std::optional<Settings>& pinned = bench.pictures.pinned_settings();
+    return pinned && view_key(*pinned) == view_key(bench.settings());
+  } catch (const Error&) {
+    return false;  // told by the banner
+  }
+}
+
 }  // namespace
 
 void JudgeView::draw_state(Workbench& bench) {
@@ -160,7 +175,8 @@ void JudgeView::draw_state(Workbench& bench) {
   std::string text;
   if (judge.now() != nullptr) text = fmt::format("measured in {:.0f} ms", 1e3 * judge.now()->seconds);
   if (waits) text = judge.is_late() ? "measured when you let go" : "measuring…";
-  if (judge.pinned() != nullptr) text += "; changes since the pin";
+  if (judge.pinned() != nullptr)
+    text += is_same_view(bench) ? "; changes since the pin" : "; the pin is of another view";
   fitted_text(text, ImGui::GetContentRegionAvail().x, theme().faint);
   ImGui::Dummy({0, scaled(1)});
 }
@@ -175,7 +191,12 @@ void JudgeView::draw(Workbench& bench) {
     wrapped_text(now->error, theme().error);
     return;
   }
-  if (then != nullptr && !then->error.empty()) then = nullptr;
+  if (now->measures.empty) {
+    wrapped_text("Neither a drawn line nor a reference line is in sight: there is nothing to judge.",
+                 theme().faint);
+    return;
+  }
+  if (then != nullptr && (!then->error.empty() || then->measures.empty)) then = nullptr;
   draw_shares(*now, then);
   draw_recall(*now, then);
   draw_others(*now, then);

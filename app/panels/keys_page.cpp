@@ -30,7 +30,7 @@ constexpr std::array kPictures{
     Entry{"J", "judge the lines; back to the inspector"},
     Entry{"P", "pin this state to compare with"},
     Entry{"W", "show the meshes' triangles"},
-    Entry{"Right click", "save it, copy its command"},
+    Entry{"Right click", "save it, fit its range, copy its command"},
 };
 
 constexpr std::array kParameters{
@@ -85,21 +85,23 @@ void draw_list(const char* title, const std::array<Entry, kCount>& entries) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(entry.keys);
     ImGui::TableNextColumn();
-    faint_text(entry.meaning);
+    wrapped_text(entry.meaning, theme().faint);
   }
   ImGui::EndTable();
   ImGui::Dummy({0, scaled(6)});
 }
 
-void draw_columns() {
-  const float width = (ImGui::GetContentRegionAvail().x - scaled(24)) / 2;
-  const float height = scaled(500);
-  ImGui::BeginChild("left", {width, height});
+void draw_columns(float height) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool two = room > scaled(600);
+  ImGui::BeginChild("left", {two ? (room - scaled(24)) / 2 : room, height});
   draw_list("Pictures", kPictures);
   draw_list("Parameters", kParameters);
-  ImGui::EndChild();
-  ImGui::SameLine(0, scaled(24));
-  ImGui::BeginChild("right", {width, height});
+  if (two) {
+    ImGui::EndChild();
+    ImGui::SameLine(0, scaled(24));
+    ImGui::BeginChild("right", {0, height});
+  }
   draw_list("Undo and files", kFiles);
   draw_list("Camera", kCamera);
   draw_list("Window", kWindow);
@@ -120,8 +122,8 @@ void draw_keys_page(Workbench& bench) {
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize({std::min(scaled(860), screen.x - scaled(20)), 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(26), scaled(20)));
+  ImGui::SetNextWindowSize({std::min(scaled(980), screen.x - scaled(20)), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(24), scaled(16)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, theme().bar);
@@ -131,7 +133,7 @@ void draw_keys_page(Workbench& bench) {
   ImGui::PopFont();
   faint_text("Every number has a slider on the left; every picture follows at once.");
   ImGui::Dummy({0, scaled(8)});
-  draw_columns();
+  draw_columns(std::min(scaled(500), screen.y - scaled(160)));
   if (ImGui::Button("Start", {scaled(110), 0})) bench.layout.show_welcome = false;
   bench.ui_map.mark_item("start");
   ImGui::SameLine();

@@ -12,7 +12,7 @@
 namespace inkbench {
 namespace {
 
-constexpr std::array kTitles{"Parameters", "Presets", "History", "Views"};
+constexpr std::array kTitles{"Parameters", "Presets", "History", "Cameras"};
 
 void draw_tab(Workbench& bench, LeftTab tab, ImVec2 low, ImVec2 size) {
   const char* title = kTitles[static_cast<size_t>(tab)];

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/panels/attempt.h"
+#include "app/panels/comparison.h"
 #include "app/panels/edit_menu.h"
 #include "app/panels/shaders_menu.h"
 #include "app/panels/shortcuts.h"
+#include "app/panels/views_panel.h"
 #include "app/panels/widgets.h"
 #include "app/window/theme.h"
+#include "app/workbench/open_outside.h"
 #include "pipeline/base/files.h"
 
 namespace inkbench {
@@ -63,6 +67,12 @@ void MenuBar::view_menu(Workbench& bench) {
   if (menu_item(bench.ui_map, "Ramp editor", "R", bench.view.edits_ramps))
     bench.view.edits_ramps = !bench.view.edits_ramps;
   ImGui::Separator();
+  if (menu_item(bench.ui_map, "Pin this state", "P")) pin_state(bench);
+  if (menu_item(bench.ui_map, "Compare", "C", bench.view.comparison.active)) toggle_comparison(bench);
+  if (menu_item(bench.ui_map, "Wireframe", "W", bench.view.wireframe))
+    bench.view.wireframe = !bench.view.wireframe;
+  if (menu_item(bench.ui_map, "Fit the scene", "Home")) fit_view(bench, FitTo::scene);
+  ImGui::Separator();
   if (menu_item(bench.ui_map, "Pictures as they are", "L", layout.overlay == Overlay::none))
     layout.overlay = Overlay::none;
   if (menu_item(bench.ui_map, "Reference lines over them", "L", layout.overlay == Overlay::reference))
@@ -75,9 +85,6 @@ void MenuBar::view_menu(Workbench& bench) {
   ImGui::Separator();
   if (menu_item(bench.ui_map, "Larger text", "Ctrl++")) change_text_size(bench, 0.1F);
   if (menu_item(bench.ui_map, "Smaller text", "Ctrl+-")) change_text_size(bench, -0.1F);
-  ImGui::Separator();
-  if (menu_item(bench.ui_map, "Wireframe", "W", bench.view.wireframe))
-    bench.view.wireframe = !bench.view.wireframe;
   ImGui::Separator();
   if (menu_item(bench.ui_map, "Full screen", "F11")) bench.requests.toggle_full_screen = true;
   if (menu_item(bench.ui_map, "Save a screenshot", "F12")) bench.requests.screenshot = true;
@@ -95,6 +102,8 @@ void MenuBar::draw(Workbench& bench) {
     bench.ui_map.mark_item("menu:Help");
     if (help) {
       if (menu_item(bench.ui_map, "Keys and mouse", "F1")) bench.layout.show_welcome = true;
+      if (menu_item(bench.ui_map, "Documentation"))
+        attempt(bench, [] { open_outside(project_file("docs/workbench.md")); });
       ImGui::EndMenu();
     }
     ImGui::EndMainMenuBar();

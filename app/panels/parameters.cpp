@@ -75,7 +75,10 @@ bool ParametersPanel::is_found(const std::string& key, const Field& field) const
 void ParametersPanel::draw_search(Workbench& bench) {
   const float button = button_width("Changed");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
-  if (focus_search_) ImGui::SetKeyboardFocusHere();
+  if (focus_search_) {
+    ImGui::SetKeyboardFocusHere();
+    bench.requests.keyboard = true;
+  }
   focus_search_ = false;
   ImGui::InputTextWithHint("##search", "Search (Ctrl+F)", &search_, ImGuiInputTextFlags_AutoSelectAll);
   bench.ui_map.mark_item("search");
@@ -86,7 +89,7 @@ void ParametersPanel::draw_search(Workbench& bench) {
   bench.ui_map.mark_item("only changed");
 }
 
-void ParametersPanel::draw_group(Workbench& bench, const ParamGroup& group, const ParamGroup* baseline) {
+bool ParametersPanel::draw_group(Workbench& bench, const ParamGroup& group, const ParamGroup* baseline) {
   const bool searching = !search_.empty() || only_changed_;
   std::vector<RowContext> rows;
   for (const Field& field : group.description->fields) {
@@ -96,7 +99,7 @@ void ParametersPanel::draw_group(Workbench& bench, const ParamGroup& group, cons
     if (!is_found(row.key, field) || (only_changed_ && row.value == row.baseline)) continue;
     rows.push_back(std::move(row));
   }
-  if (rows.empty()) return;
+  if (rows.empty()) return false;
   ImGui::PushID(group.prefix.c_str());
   const bool was_open = has_word(bench.layout.open_groups, group.prefix);
   const bool open = searching || was_open;
@@ -111,6 +114,18 @@ void ParametersPanel::draw_group(Workbench& bench, const ParamGroup& group, cons
     ImGui::Dummy({0, scaled(2)});
   }
   ImGui::PopID();
+  return true;
+}
+
+void ParametersPanel::draw_nothing_found(Workbench& bench) {
+  const bool searches = !search_.empty();
+  wrapped_text(searches ? "No parameter's name or help has \"" + search_ + "\"."
+                        : "Nothing differs from " + bench.scene_name() + ".",
+               theme().faint);
+  if (ImGui::Button("Show all")) {
+    search_.clear();
+    only_changed_ = false;
+  }
 }
 
 void ParametersPanel::draw(Workbench& bench) {
@@ -119,11 +134,13 @@ void ParametersPanel::draw(Workbench& bench) {
   Settings settings = bench.settings();  // what is drawn is a copy, changes go through the workbench
   Settings baseline = bench.baseline();
   const std::vector<ParamGroup> baseline_groups = list_groups(baseline);
+  bool any = false;
   for (const ParamGroup& group : list_groups(settings)) {
     const auto same = std::find_if(baseline_groups.begin(), baseline_groups.end(),
                                    [&](const ParamGroup& other) { return other.prefix == group.prefix; });
-    draw_group(bench, group, same == baseline_groups.end() ? nullptr : &*same);
+    any |= draw_group(bench, group, same == baseline_groups.end() ? nullptr : &*same);
   }
+  if (!any) draw_nothing_found(bench);
   ImGui::EndChild();
 }
 

@@ -14,7 +14,9 @@ class ParametersPanel {
 
  private:
   void draw_search(Workbench& bench);
-  void draw_group(Workbench& bench, const ParamGroup& group, const ParamGroup* baseline);
+  void draw_nothing_found(Workbench& bench);
+  /// Returns whether any of it is shown.
+  bool draw_group(Workbench& bench, const ParamGroup& group, const ParamGroup* baseline);
   bool is_found(const std::string& key, const Field& field) const;
 
   std::string search_;

@@ -73,7 +73,7 @@ void plain_letters(Workbench& bench) {
   if (letter_pressed('f')) bench.view.fit();
   if (letter_pressed('z')) bench.view.wanted_magnification = 1.0;
   if (letter_pressed('c')) toggle_comparison(bench);
-  if (letter_pressed('p')) bench.pin();
+  if (letter_pressed('p')) pin_state(bench);
   if (letter_pressed('l')) next_overlay(bench);
   if (letter_pressed('j')) {
     const bool on = bench.layout.show_inspector && bench.layout.side_page == SidePage::judge;

@@ -19,7 +19,8 @@ void right_text(const std::string& text, ImU32 colour) {
 }
 
 std::string ms_text(double ms) {
-  return ms > 0.0 ? fmt::format("{:.2f}", ms) : "";
+  if (!(ms > 0.0)) return "";
+  return fmt::format("{:.{}f}", ms, ms < 100.0 ? 2 : (ms < 1000.0 ? 1 : 0));
 }
 
 /// A bar as long as its share of the longest pass.

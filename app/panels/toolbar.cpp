@@ -66,7 +66,7 @@ void pin_tool(Workbench& bench) {
   const bool pinned = bench.pictures.pinned_settings().has_value();
   if (toggle_button("Pin", pinned,
                     pinned ? "Forget the pinned state." : "Keep this state to compare with (P)."))
-    pinned ? bench.pictures.unpin() : bench.pin();
+    pinned ? bench.pictures.unpin() : pin_state(bench);
   bench.ui_map.mark_item("pin");
   Comparison& comparison = bench.view.comparison;
   if (bench.pictures.pinned_settings()) return;
@@ -76,7 +76,7 @@ void pin_tool(Workbench& bench) {
 void mouse_tools(Workbench& bench) {
   ViewState& view = bench.view;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const float width = button_width("Mesh") + spacing + button_width("View") + button_width("Camera") +
+  const float width = button_width("Wireframe") + spacing + button_width("Pan") + button_width("Orbit") +
                       button_width("Fit") + button_width("1:1") + 3 * spacing + 2;
   const float place = ImGui::GetWindowContentRegionMax().x - width;
   ImGui::SameLine();
@@ -85,17 +85,16 @@ void mouse_tools(Workbench& bench) {
   } else {
     ImGui::NewLine();  // where there is no room beside the others, below them
   }
-  if (toggle_button("Mesh", view.wireframe, "The triangles of the meshes over the pictures (W)."))
+  if (toggle_button("Wireframe", view.wireframe, "The triangles of the meshes over the pictures (W)."))
     view.wireframe = !view.wireframe;
   bench.ui_map.mark_item("wireframe");
   ImGui::SameLine();
-  if (toggle_button("View", view.tool == MouseTool::view,
-                    "Dragging moves the pictures; the wheel zooms (V)."))
+  if (toggle_button("Pan", view.tool == MouseTool::view, "Dragging moves the pictures; the wheel zooms (V)."))
     view.tool = MouseTool::view;
   bench.ui_map.mark_item("tool:view");
   ImGui::SameLine(0, 2);
   if (toggle_button(
-          "Camera", view.tool == MouseTool::camera,
+          "Orbit", view.tool == MouseTool::camera,
           "Dragging turns the camera about its target, with Shift along the picture; the wheel moves it "
           "nearer (O, or hold Alt)."))
     view.tool = MouseTool::camera;

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/window/theme.h"
 #include "pipeline/base/text.h"
@@ -18,6 +20,7 @@ struct Typing {
   ImGuiID id = 0;
   std::string text;
   bool focus = false;
+  bool passes_on = false;  ///< Tab was pressed: the next bar is typed into.
 };
 
 Typing& typing() {
@@ -50,9 +53,12 @@ bool type_number(float width, BarResult& result) {
   state.focus = false;
   const bool confirmed = ImGui::InputText(
       "##typed", &state.text, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
-  const bool left = ImGui::IsItemDeactivated();
+  const bool tab = ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab), false);
+  const bool left = ImGui::IsItemDeactivated() || tab;
   const bool cancelled = left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if ((confirmed || left) && !cancelled) result.typed = state.text;
+  if (tab) ImGui::ClearActiveID();
+  state.passes_on = tab;
   return confirmed || left;
 }
 
@@ -108,7 +114,7 @@ BarResult value_bar(const char* id, double value, const Field& field, float widt
   ImGui::PushID(id);
   const ImGuiID own = ImGui::GetID("bar");
   if (typing().id == own) {
-    if (type_number(width, result)) typing() = {};
+    if (type_number(width, result)) typing() = {.passes_on = typing().passes_on};
     ImGui::PopID();
     return result;
   }
@@ -116,7 +122,8 @@ BarResult value_bar(const char* id, double value, const Field& field, float widt
   const ImVec2 high{low.x + width, low.y + ImGui::GetFrameHeight()};
   ImGui::InvisibleButton("bar", {std::max(width, 1.0F), high.y - low.y});
   const ImGuiIO& io = ImGui::GetIO();
-  const bool wants_typing = ImGui::IsItemClicked() && io.KeyCtrl;
+  const bool wants_typing =
+      (ImGui::IsItemClicked() && io.KeyCtrl) || std::exchange(typing().passes_on, false);
   if (wants_typing) {
     const bool whole = field.type == FieldType::integer;
     typing() = {own, whole ? fmt::format("{:.0f}", value) : shortest(static_cast<float>(value)), true};

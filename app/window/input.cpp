@@ -97,6 +97,7 @@ void InputQueue::watch_window() {
 }
 
 bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
+  if (held_frames_ > 0 && (event.kind == Kind::key || event.kind == Kind::text)) return false;
   switch (event.kind) {
     case Kind::move:
     case Kind::leave:
@@ -139,6 +140,7 @@ bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
 void InputQueue::feed() {
   FrameState frame;
   while (!events_.empty() && feed_one(events_.front(), frame)) events_.pop_front();
+  held_frames_ = std::max(held_frames_ - 1, 0);
   ImGuiIO& io = ImGui::GetIO();
   const bool known = mouse_inside_ || buttons_.any();
   io.MousePos =

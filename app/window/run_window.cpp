@@ -176,6 +176,7 @@ void WindowLoop::take_requests() {
   if (requests.screenshot) take_screenshot();
   if (requests.toggle_full_screen) window_.toggle_full_screen();
   if (requests.close) window_.close();
+  if (requests.keyboard) input_.hold_keys(2);
   const WindowSize size = window_.size();
   bench_.layout.maximised = window_.is_maximised();
   if (window_.is_full_screen() || bench_.layout.maximised || size.width_px < 1) return;

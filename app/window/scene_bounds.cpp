@@ -10,7 +10,9 @@ Bounds bounds_in_world(Pipeline& pipeline, const Settings& settings, bool only_m
                 glm::vec3(std::numeric_limits<float>::lowest())};
   const std::optional<size_t> main = main_model_index(settings);
   for (const DrawItem& item : pipeline.draw_items(settings)) {
-    if (only_main_model && static_cast<size_t>(item.object_id) != main.value_or(0) + 1) continue;
+    const auto index = static_cast<size_t>(item.object_id) - 1;
+    if (only_main_model && index != main.value_or(0)) continue;
+    if (settings.models[index].shape == Shape::inside_out_sphere) continue;  // the room around the scene
     const Bounds bounds = bounds_in_world(item);
     result.low = glm::min(result.low, bounds.low);
     result.high = glm::max(result.high, bounds.high);

@@ -65,7 +65,7 @@ void set_colours(ImGuiStyle& style, const Palette& t) {
   set(ImGuiCol_ChildBg, none);
   set(ImGuiCol_PopupBg, t.bar);
   set(ImGuiCol_MenuBarBg, t.bar);
-  set(ImGuiCol_Border, t.line);
+  set(ImGuiCol_Border, with_alpha(t.faint, 0.35F));
   set(ImGuiCol_FrameBg, t.field);
   set(ImGuiCol_FrameBgHovered, t.field_hot);
   set(ImGuiCol_FrameBgActive, t.field_hot);

@@ -34,6 +34,7 @@ enum class ProblemKind { drawing, shader, input };
 /// What a panel wants of the window itself; the loop takes it after the frame.
 struct WindowRequests {
   bool close = false, toggle_full_screen = false, screenshot = false;
+  bool keyboard = false;  ///< A text field asked for it and has it two frames later.
 };
 
 /// What asks for a file's path.

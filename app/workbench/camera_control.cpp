@@ -209,16 +209,22 @@ CameraParams look_around(const CameraParams& camera, double yaw_deg, double pitc
 }
 
 CameraParams fit_to_bounds(const CameraParams& camera, const Bounds& bounds, const ViewSize& size) {
-  const glm::dvec3 low(bounds.low);
-  const glm::dvec3 high(bounds.high);
-  const double radius = std::max(glm::length(high - low) / 2, 0.0);
-  const double used = radius > 0 ? radius : std::sqrt(3.0) / 2;
-  const double half_height = glm::radians(double{camera.fov}) / 2;
-  const double half_width = std::atan(std::tan(half_height) * size.width_px / std::max(size.height_px, 1.0F));
-  const double distance = kFitMargin * used / std::sin(std::min(half_height, half_width));
+  const bool is_empty = bounds.low == bounds.high;
+  const Bounds box = is_empty ? Bounds{bounds.low - 0.5F, bounds.high + 0.5F} : bounds;
+  const glm::dvec3 middle = (glm::dvec3(box.low) + glm::dvec3(box.high)) / 2.0;
+  const double slope_up = std::tan(glm::radians(double{camera.fov}) / 2) / kFitMargin;
+  const double slope_across = slope_up * size.width_px / std::max(size.height_px, 1.0F);
+  const ViewAxes axes = view_axes(camera);
+  double distance = 0;
+  for (const glm::dvec3& corner : corners_of(box)) {
+    const glm::dvec3 arm = corner - middle;
+    const double needed = std::max(std::abs(glm::dot(arm, axes.right)) / slope_across,
+                                   std::abs(glm::dot(arm, axes.up)) / slope_up);
+    distance = std::max(distance, glm::dot(arm, axes.back) + needed);
+  }
   CameraParams moved = camera;
-  moved.target = glm::vec3((low + high) / 2.0);
-  moved.eye = glm::vec3(glm::dvec3(moved.target) + view_axes(camera).back * distance);
+  moved.target = glm::vec3(middle);
+  moved.eye = glm::vec3(middle + axes.back * distance);
   return accepted_or(keep_in_range(moved, bounds), camera);
 }
 

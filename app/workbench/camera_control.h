@@ -47,8 +47,8 @@ CameraParams look_around(const CameraParams& camera, double yaw_deg, double pitc
 /// (0, 90) nearly straight above.
 CameraParams view_from(const CameraParams& camera, double azimuth_deg, double elevation_deg);
 
-/// Keeps the direction of view, puts the target in the middle of the box and the eye as far as a ball around
-/// the box needs to fill the image; then `keep_in_range`. An empty box is taken as one of side 1.
+/// Keeps the direction of view, puts the target in the middle of the box and the eye as near as the whole box
+/// is in sight; then `keep_in_range`. An empty box is taken as one of side 1.
 CameraParams fit_to_bounds(const CameraParams& camera, const Bounds& bounds, const ViewSize& size);
 
 /// Moves near and far only as far as needed for the box to lie between them: a larger far makes all depth

@@ -93,7 +93,7 @@ TEST_F(AppKeep, session_comes_back_at_the_next_start) {
   const std::string k = pull(0.2, 1);
   keys("ctrl+3");
   wait_for("the bookmark", [](const Json& now) { return now["bookmarks"].size() == 1; });
-  click("tab:Views");
+  click("tab:Cameras");
   wait_for("the tab", [](const Json& now) { return now["layout"]["left_tab"] == "\"views\""; });
   quit();
   open_with({});

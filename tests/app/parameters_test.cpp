@@ -57,6 +57,31 @@ TEST_F(AppParameters, control_click_types_a_number_and_right_click_resets_it) {
   wait_for("no mark", [&](const Json& now) { return !now["ui"].contains("changed:" + key); });
 }
 
+TEST_F(AppParameters, tab_takes_the_number_and_goes_on_to_the_next) {
+  open();
+  input({"keydown", "ctrl"});
+  click("bar:combine.k_depth");
+  wait_for_text_field();
+  input({"keyup", "ctrl"});
+  type("0.002");
+  keys("Tab");
+  wait_for("the first number", [&](const Json& now) { return parameter(now, "combine.k_depth") == "0.002"; });
+  type("0.03");
+  keys("Return");
+  wait_for("the second", [&](const Json& now) { return parameter(now, "combine.k_normal") == "0.03"; });
+  EXPECT_TRUE(state()["ui"].contains("search")) << "the panels are still there";
+}
+
+TEST_F(AppParameters, what_is_typed_right_after_the_search_key_goes_into_the_search) {
+  open();
+  const Json before = state();
+  input({"key", "--delay", "0", "ctrl+f", "z", "f", "c"});
+  const Json after = settled();
+  EXPECT_EQ(after["view"]["magnification"], before["view"]["magnification"]);
+  EXPECT_FALSE(after["view"]["comparison"]["active"].get<bool>());
+  EXPECT_FALSE(after["ui"].contains("bar:combine.threshold")) << "no help has that word";
+}
+
 TEST_F(AppParameters, number_outside_the_limits_is_told_and_changes_nothing) {
   open();
   const std::string key = "combine.threshold";

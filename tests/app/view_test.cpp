@@ -149,6 +149,17 @@ TEST_F(AppView, window_shows_the_pixels_that_render_writes) {
   EXPECT_EQ(different, 0);
 }
 
+TEST_F(AppView, home_shows_the_models_from_within_their_room) {
+  open_with({"--set", "image.width=128", "--set", "image.height=128"});
+  keys("Home");
+  const Json now = wait_for("a step", [](const Json& one) { return one["steps"].size() == 1; });
+  const Json eye = Json::parse(parameter(now, "camera.eye"));
+  const Json room = Json::parse(parameter(now, "model.room.position"));
+  double square = 0;
+  for (int i = 0; i < 3; ++i) square += std::pow(eye[i].get<double>() - room[i].get<double>(), 2);
+  EXPECT_LT(std::sqrt(square), std::stod(parameter(now, "model.room.size")) / 2);
+}
+
 TEST_F(AppView, window_stays_awake_while_a_dense_mesh_gets_its_levels) {
   write("scene.toml", small_scene());
   open_with({"--scene", file("scene.toml").string(), "--set", "model.ball.segments=420", "--set",

@@ -209,7 +209,7 @@ TEST(FitToBounds, shows_the_whole_box_between_near_and_far) {
         for (int c = 0; c < 3; ++c) EXPECT_LT(std::abs(clip[c]), clip.w) << scale << " " << c;
         widest = std::max({widest, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
       }
-      EXPECT_GT(widest, 0.4F) << "it fills the image";
+      EXPECT_NEAR(widest, 0.95F, 0.01F) << "it fills the image";
     }
   }
 }
