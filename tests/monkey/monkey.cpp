@@ -70,12 +70,12 @@ void Monkey::move(const Place& place) {
 
 void Monkey::press_button() {
   const std::string button = chance(0.75) ? "1" : chance(0.7) ? "3" : "2";
-  const std::string repeat = chance(0.15) ? "--repeat 2 " : "";
+  const std::string repeat = chance(0.15) ? "--repeat 2 --delay 20 " : "";
   send("click " + repeat + button);
 }
 
 void Monkey::turn_wheel() {
-  send("click --repeat " + std::to_string(number(1, 5)) + (chance(0.5) ? " 4" : " 5"));
+  send("click --delay 5 --repeat " + std::to_string(number(1, 5)) + (chance(0.5) ? " 4" : " 5"));
 }
 
 void Monkey::drag() {
@@ -83,7 +83,7 @@ void Monkey::drag() {
   send("mousedown " + button);
   for (int i = number(1, 5); i > 0; --i) {
     move(chance(0.7) ? any_place() : place_in_widget());
-    script_ += "sleep 0.03\n";
+    script_ += "sleep 0.01\n";
   }
   send("mouseup " + button);
 }
@@ -98,8 +98,8 @@ void Monkey::type_text() {
 }
 
 void Monkey::resize() {
-  send("search --name ^inkbench$ windowsize " + std::to_string(number(480, 1400)) + " " +
-       std::to_string(number(320, 900)));
+  send("search --name ^inkbench$ windowsize " + std::to_string(number(480, 1100)) + " " +
+       std::to_string(number(320, 720)));
 }
 
 void Monkey::act() {

@@ -15,7 +15,8 @@ namespace inkbench {
 namespace {
 
 constexpr int kChunk = 60;
-constexpr int kLargestSide = 400;  // px; larger pictures would test the renderer's patience
+constexpr long kSpareKb = 96 << 10;  // caches fill as the events come by; a leak of 20 kB an event is more
+constexpr int kLargestSide = 400;    // px; larger pictures would test the renderer's patience
 
 long from_environment(const char* name, long otherwise) {
   const char* text = std::getenv(name);
@@ -83,7 +84,7 @@ TEST_F(MonkeyTest, random_events_neither_crash_nor_grow) {
   SCOPED_TRACE("INKBENCH_MONKEY_SEED=" + std::to_string(seed));
   Monkey monkey(static_cast<uint64_t>(seed));
   start();
-  long middle_kb = 0;
+  long largest_kb = 0;  // in the first half
   std::set<std::string> seen;
   for (long done = 0; done < count; done += kChunk) {
     play(monkey.events(state(), kChunk));
@@ -91,12 +92,12 @@ TEST_F(MonkeyTest, random_events_neither_crash_nor_grow) {
     const Json now = state();
     ASSERT_EQ(gl_error(now), "");
     for (const auto& widget : now["ui"].items()) seen.insert(widget.key());
-    if (done <= count / 2) middle_kb = resident_kb();
+    if (done <= count / 2) largest_kb = std::max(largest_kb, resident_kb());
   }
   EXPECT_GT(seen.size(), static_cast<size_t>(std::min(count / 10, 200L))) << "it does not get around";
   std::cout << seen.size() << " widgets, " << state()["frames"] << " frames, " << middle_kb / 1024
             << " MB half-way, " << resident_kb() / 1024 << " MB in the end\n";
-  EXPECT_LT(resident_kb(), middle_kb * 5 / 4) << "kB, half-way " << middle_kb;
+  EXPECT_LT(resident_kb(), largest_kb + kSpareKb) << "kB, in the first half at most " << largest_kb;
   keys("Escape");
   quit();
 }
