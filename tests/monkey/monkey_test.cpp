@@ -95,7 +95,7 @@ TEST_F(MonkeyTest, random_events_neither_crash_nor_grow) {
     if (done <= count / 2) largest_kb = std::max(largest_kb, resident_kb());
   }
   EXPECT_GT(seen.size(), static_cast<size_t>(std::min(count / 10, 200L))) << "it does not get around";
-  std::cout << seen.size() << " widgets, " << state()["frames"] << " frames, " << middle_kb / 1024
+  std::cout << seen.size() << " widgets, " << state()["frames"] << " frames, " << largest_kb / 1024
             << " MB half-way, " << resident_kb() / 1024 << " MB in the end\n";
   EXPECT_LT(resident_kb(), largest_kb + kSpareKb) << "kB, in the first half at most " << largest_kb;
   keys("Escape");
