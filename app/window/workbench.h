@@ -161,6 +161,7 @@ class Workbench {
   std::string open_one(const std::string& path);
   void take(const OpenedFile& file);
   void take_mesh(const OpenedFile& file);
+  bool is_kept_preset(const std::filesystem::path& file) const;
   void take_from(const Origin& origin, const Settings& settings, const std::string& step);
   Key state_to_draw(const Settings& settings) const;
   /// Where `go_back` leads: a step of the history, else the last good settings.
