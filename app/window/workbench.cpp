@@ -108,7 +108,7 @@ void Workbench::refresh() {
   if (failed_ == state) return;
   try {
     const bool hurry = is_editing() || frame_times.frames == 0;
-    pictures.refresh(target, wanted_buffers(), hurry);
+    pictures.refresh(target, wanted_buffers(), hurry, view.filled.value_or(view.selected));
     const bool judges = layout.show_inspector && layout.side_page == SidePage::judge;
     judge.refresh(pictures, target,
                   {judges || layout.overlay == Overlay::matches, layout.overlay == Overlay::reference},
