@@ -224,6 +224,26 @@ TEST_F(AppKeep, every_kind_of_file_does_its_own_and_a_bad_one_nothing) {
   EXPECT_EQ(after["steps"], before["steps"]);
 }
 
+TEST_F(AppKeep, a_typed_file_that_is_not_there_is_told_and_its_folder_listed) {
+  open();
+  write("sub/there.toml", "base = \"../scene.toml\"\n[combine]\nk_normal = 0.5\n");
+  keys("ctrl+o");
+  wait_for("the dialog", [](const Json& now) { return now["ui"].contains("chooser:ok"); });
+  settled();
+  type((file("sub") / "their.toml").string());
+  keys("Return");
+  wait_for("the message", [](const Json& now) {
+    return now["ui"].contains("chooser:problem") && now["ui"].contains("entry:there.toml");
+  });
+  click("path");
+  wait_for_text_field();
+  keys("End");
+  for (int i = 0; i < 7; ++i) keys("BackSpace");
+  type("re.toml");
+  keys("Return");
+  wait_for_k("0.5");
+}
+
 TEST_F(AppKeep, views_are_kept_under_digits_and_come_back) {
   open();
   const std::string eye = parameter(state(), "camera.eye");
