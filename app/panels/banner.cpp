@@ -39,7 +39,7 @@ bool draw_problem(Workbench& bench, ProblemKind kind, const std::string& text) {
   place.y += ImGui::GetTextLineHeight() + scaled(3);
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), place, theme().error, text.c_str(), nullptr, wrap);
   ImGui::SetCursorScreenPos({low.x + width - buttons, low.y + scaled(8)});
-  if (kind == ProblemKind::drawing) {
+  if (kind == ProblemKind::drawing && bench.can_go_back()) {
     if (ImGui::Button("Go back")) bench.go_back();
     bench.ui_map.mark_item("go back");
     help_for_item("Back to the settings that gave the pictures.");

@@ -94,6 +94,7 @@ void FileChooser::draw_path(Workbench& bench) {
       ImGui::InputTextWithHint("##path", "Type or paste a path", &path_text_,
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   bench.ui_map.mark_item("path");
+  if (ImGui::IsItemEdited()) selected_.reset();  // what was typed last is meant
   if (entered && path_text_ != listing_.folder.string()) selected_.reset();
   if (entered) open_chosen(bench);
   ImGui::SameLine();
@@ -110,8 +111,18 @@ void FileChooser::activate(Workbench& bench, const fs::path& path) {
   } else if (question_.saves || is_there(path)) {
     choose(path);
   } else {
-    problem_ = "There is no " + path.string();
+    tell_missing(bench, path);
   }
+}
+
+/// The text stays, to be mended beside what its folder has.
+void FileChooser::tell_missing(Workbench& bench, const fs::path& path) {
+  const fs::path folder = path.parent_path();
+  if (is_folder(folder) && folder != listing_.folder) {
+    go_to(bench, folder);
+    path_text_ = path.string();
+  }
+  problem_ = "There is no " + path.string();
 }
 
 void FileChooser::choose(const fs::path& path) {
@@ -210,6 +221,7 @@ void FileChooser::draw_buttons(Workbench& bench) {
     coloured_text(theme().warning, replaces_->filename().string() + " is there already. Replace it?");
   } else if (!problem_.empty()) {
     fitted_text(problem_, ImGui::GetContentRegionAvail().x, theme().error);
+    bench.ui_map.mark_item("chooser:problem");
   } else {
     ImGui::NewLine();
   }

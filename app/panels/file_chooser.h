@@ -44,6 +44,7 @@ class FileChooser {
   void move_by_keys(Workbench& bench);
   void draw_buttons(Workbench& bench);
   void activate(Workbench& bench, const std::filesystem::path& path);
+  void tell_missing(Workbench& bench, const std::filesystem::path& path);
   void open_chosen(Workbench& bench);
   void choose(const std::filesystem::path& path);
   std::filesystem::path path_of(const FolderEntry& entry) const;

@@ -6,6 +6,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "app/panels/value_bar.h"
 #include "app/panels/widgets.h"
@@ -94,6 +96,34 @@ void HistogramView::drag_marks(Workbench& bench, BufferName buffer, const ShownR
     bench.pictures.choice(buffer).kind = PictureChoice::Kind::gains;
 }
 
+/// What is typed is taken; the other value makes room for it.
+void HistogramView::draw_fields(Workbench& bench, BufferName buffer, const ShownRange& range) {
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float labels = ImGui::CalcTextSize("black").x + ImGui::CalcTextSize("white").x;
+  const float room = ImGui::GetContentRegionAvail().x - labels - button_width("log") - 4 * gap;
+  const auto field = [&](const char* name, float value) -> std::optional<float> {
+    ImGui::AlignTextToFramePadding();
+    faint_text(name);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(room / 2);
+    ImGui::PushID(name);
+    const bool entered =
+        ImGui::InputFloat("##value", &value, 0, 0, "%g", ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::PopID();
+    bench.ui_map.mark_item(std::string("range:") + name);
+    ImGui::SameLine();
+    return entered && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  };
+  const auto least = [&](float value) {
+    return std::max((axis_.high - axis_.low) * 1e-3F, std::abs(value) * 1e-4F);
+  };
+  PictureChoice& choice = bench.pictures.choice(buffer);
+  if (const std::optional<float> black = field("black", range.black))
+    choice = {PictureChoice::Kind::fixed, {*black, std::max(range.white, *black + least(*black))}};
+  if (const std::optional<float> white = field("white", range.white))
+    choice = {PictureChoice::Kind::fixed, {std::min(range.black, *white - least(*white)), *white}};
+}
+
 void HistogramView::draw(Workbench& bench, BufferName buffer) {
   if (!bench.drawn_settings()) return;
   try {
@@ -135,10 +165,7 @@ void HistogramView::draw(Workbench& bench, BufferName buffer) {
     help_for_item(
         "How often each value occurs. Drag the marks to choose what is shown as black and as white; "
         "double click for the display gains again.");
-  const float line = ImGui::GetCursorPosY();
-  faint_text(number_text(range.black, false) + " to " + number_text(range.white, false));
-  const float toggle = button_width("log");
-  ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - toggle, line - scaled(2)});
+  draw_fields(bench, buffer, range);
   if (toggle_button("log", log_, "Bars by the logarithm of how often.")) log_ = !log_;
   bench.ui_map.mark_item("histogram log");
 }

@@ -18,6 +18,7 @@ class HistogramView {
     float low = 0.0F, high = 1.0F;
   };
   void refresh(Workbench& bench, const Settings& drawn, BufferName buffer);
+  void draw_fields(Workbench& bench, BufferName buffer, const ShownRange& range);
   void drag_marks(Workbench& bench, BufferName buffer, const ShownRange& range, ImVec2 low, ImVec2 high);
 
   ValueHistogram histogram_;

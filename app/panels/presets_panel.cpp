@@ -52,7 +52,7 @@ void PresetsPanel::save(Workbench& bench, const std::string& name, bool overwrit
   try {
     const PresetStore& presets = bench.keeping.presets();
     presets.save(name, with_absolute_paths(bench.settings()), overwrite);
-    bench.saved_as(presets.path_of(name));
+    bench.keeping.add_recent(presets.path_of(name));
     bench.tell(Severity::note, "saved the preset " + name);
     bench.dismiss(ProblemKind::input);
     name_.clear();

@@ -142,11 +142,18 @@ void StudyResultsPanel::draw_choices(Workbench& bench, const StudyResults& resul
 void StudyResultsPanel::take_over(Workbench& bench, const StudyResults& results, size_t cell) {
   const std::filesystem::path file = results.picture(cell, choice_.picture);
   if (file.empty()) return;
-  const bool worked = attempt(bench, [&] { bench.replace(read_origin(file).settings); });
+  std::string taken = fmt::format("cell {}: {}", cell + 1, make_cell(results.spec(), cell).name);
+  const bool worked = attempt(bench, [&] {
+    const Settings settings = read_origin(file).settings;
+    const ImageParams& from = bench.settings().image;
+    const ImageParams& to = settings.image;
+    const bool same_size = from.width == to.width && from.height == to.height;
+    if (!same_size) taken += fmt::format(", {} × {} px", to.width, to.height);
+    bench.replace(settings, same_size ? "" : taken);
+  });
   if (!worked) return;
   choice_.taken = cell;
-  bench.tell(Severity::note,
-             fmt::format("took over cell {}: {}", cell + 1, make_cell(results.spec(), cell).name));
+  bench.tell(Severity::note, "took over " + taken);
 }
 
 void StudyResultsPanel::draw_cell_menu(Workbench& bench, const StudyResults& results,

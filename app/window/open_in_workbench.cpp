@@ -56,6 +56,12 @@ void Workbench::take_mesh(const OpenedFile& file) {
   ++revision_;
 }
 
+/// A preset of the list is a layer on the scene; elsewhere the same file is a scene.
+bool Workbench::is_kept_preset(const std::filesystem::path& file) const {
+  std::error_code error;
+  return std::filesystem::equivalent(file.parent_path(), keeping.presets().folder(), error);
+}
+
 void Workbench::take(const OpenedFile& file) {
   const std::string name = file.path.filename().string();
   switch (file.kind) {
@@ -66,6 +72,7 @@ void Workbench::take(const OpenedFile& file) {
       return;
     case FileKind::scene:
     case FileKind::preset:
+      if (is_kept_preset(file.path)) return replace(*file.settings, "preset " + file.path.stem().string());
       return take_from({name, file.path, *file.settings}, *file.settings, opening(file));
     case FileKind::mesh:
       return take_mesh(file);

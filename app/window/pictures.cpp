@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "pipeline/gl/context.h"
 #include "studies/reference/drawing.h"
@@ -13,6 +14,14 @@ namespace {
 
 /// Lines that took longer than this are not found anew while a slider is held.
 constexpr double kLongMs = 25.0;
+
+/// Pictures of more pixels may take seconds each.
+constexpr int64_t kLargePixels = 2 << 20;
+constexpr std::chrono::milliseconds kMoment(100);
+
+bool is_large(const Settings& settings) {
+  return int64_t{settings.image.width} * settings.image.height > kLargePixels;
+}
 
 size_t place_of(BufferName buffer) {
   return static_cast<size_t>(buffer);
@@ -102,17 +111,41 @@ void Pictures::refresh_one(const Settings& settings, BufferName buffer, bool hur
   now_[place_of(buffer)] = {picture.texture, picture.key, range, false};
 }
 
-void Pictures::refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool hurry) {
-  for (size_t i = 0; i < kBufferCount; ++i) {
-    if (wanted[i]) refresh_one(settings, static_cast<BufferName>(i), hurry);
+/// OpenGL may put work off until something waits for it, so that only finished pictures tell their time.
+void Pictures::refresh_large(const Settings& settings, std::span<const BufferName> buffers, bool hurry) {
+  const auto start = std::chrono::steady_clock::now();
+  bool is_over = false;
+  for (const BufferName buffer : buffers) {
+    ShownPicture& shown = now_[place_of(buffer)];
+    if (is_over) {
+      shown.is_late = true;
+      continue;
+    }
+    const Key before = shown.key;
+    refresh_one(settings, buffer, hurry);
+    if (shown.key == before) continue;
+    glFinish();
+    is_over = std::chrono::steady_clock::now() - start > kMoment;
   }
 }
 
-void Pictures::pin(const Settings& settings) {
-  std::array<bool, kBufferCount> all{};
-  all.fill(true);
-  refresh(settings, all, false);
+void Pictures::refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool hurry,
+                       BufferName first) {
+  std::vector<BufferName> buffers;
   for (size_t i = 0; i < kBufferCount; ++i) {
+    now_[i].is_late = false;  // also of those that are no longer looked at: nothing waits for them
+    if (wanted[i]) buffers.push_back(static_cast<BufferName>(i));
+  }
+  if (is_large(settings)) {
+    std::stable_partition(buffers.begin(), buffers.end(), [&](BufferName buffer) { return buffer == first; });
+    return refresh_large(settings, buffers, hurry);
+  }
+  for (const BufferName buffer : buffers) refresh_one(settings, buffer, hurry);
+}
+
+void Pictures::pin(const Settings& settings) {
+  for (size_t i = 0; i < kBufferCount; ++i) {
+    refresh_one(settings, static_cast<BufferName>(i), false);
     pinned_textures_[i] = copy_of(*now_[i].texture);
     pinned_[i] = now_[i];
     pinned_[i].texture = &pinned_textures_[i];

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "pipeline/pipeline.h"
@@ -42,9 +43,11 @@ class Pictures {
   Pictures();
 
   /// Draws what `wanted` names and is not up to date. `hurry`: a slider is being dragged, so that what
-  /// takes long waits. Errors (input, work): what cannot be drawn; that picture and those after it stay as
-  /// they were.
-  void refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool hurry);
+  /// takes long waits. Of large images only as much as a moment allows, at least one picture and `first`
+  /// before the others; the rest is late. Errors (input, work): what cannot be drawn; that picture and those
+  /// after it stay as they were.
+  void refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool hurry,
+               BufferName first);
 
   const ShownPicture& shown(BufferName buffer, bool pinned) const;
   /// Whether something waits for a refresh without hurry.
@@ -62,6 +65,7 @@ class Pictures {
   BufferSource& source() { return source_; }
 
  private:
+  void refresh_large(const Settings& settings, std::span<const BufferName> buffers, bool hurry);
   void refresh_one(const Settings& settings, BufferName buffer, bool hurry);
   void refresh_reference(const Settings& settings, bool hurry);
   ShownRange fitted_range(const Settings& settings, BufferName buffer);

@@ -108,7 +108,7 @@ void Workbench::refresh() {
   if (failed_ == state) return;
   try {
     const bool hurry = is_editing() || frame_times.frames == 0;
-    pictures.refresh(target, wanted_buffers(), hurry);
+    pictures.refresh(target, wanted_buffers(), hurry, view.filled.value_or(view.selected));
     const bool judges = layout.show_inspector && layout.side_page == SidePage::judge;
     judge.refresh(pictures, target,
                   {judges || layout.overlay == Overlay::matches, layout.overlay == Overlay::reference},
@@ -163,10 +163,11 @@ bool Workbench::reload_shaders() {
 }
 
 bool Workbench::poll_files() {
+  const long told = log.revision();
   bool changed = reload_shaders();
   changed |= take_files_state();
   if (changed) ++files_revision_;
-  return changed;
+  return changed || log.revision() != told;
 }
 
 /// Whether the files hold something else than at the last look, which must have been for the same settings:
@@ -221,8 +222,42 @@ void Workbench::set_problem(ProblemKind kind, const std::string& text) {
   problems_[kind] = text;
 }
 
+/// As far as the files decide it.
+bool Workbench::can_be_drawn(const Settings& settings) {
+  try {
+    pictures.pipeline().keys(settings);
+  } catch (const Error&) {
+    return false;
+  }
+  MeshStore& meshes = pictures.pipeline().meshes();
+  for (size_t i = 0; i < settings.models.size(); ++i) {
+    const ModelParams& model = settings.models[i];
+    if (model.visible && !meshes.can_get(model, level_of(settings, i))) return false;
+  }
+  return true;
+}
+
+/// Found once for each failure, since it reads meshes.
+const Workbench::WayBack& Workbench::way_back() {
+  if (way_back_from_ == failed_ || is_editing()) return way_back_;
+  way_back_from_ = failed_;
+  way_back_ = {};
+  if (!failed_) return way_back_;
+  way_back_.to_last_good = last_good_ && !same_settings(*last_good_, settings()) && can_be_drawn(*last_good_);
+  way_back_.step = history_.find_back([&](const Settings& before) {
+    return way_back_.to_last_good ? same_settings(before, *last_good_) : can_be_drawn(before);
+  });
+  return way_back_;
+}
+
+bool Workbench::can_go_back() {
+  return way_back().step || way_back().to_last_good;
+}
+
 void Workbench::go_back() {
-  if (last_good_) replace(*last_good_, "back to what could be drawn");
+  const WayBack way = way_back();
+  if (way.step) return go_to_step(*way.step);
+  if (way.to_last_good) replace(*last_good_, "back to what could be drawn");
 }
 
 void Workbench::wake_in(double seconds) {

@@ -120,8 +120,10 @@ class Workbench {
   void set_problem(ProblemKind kind, const std::string& text);
   const std::map<ProblemKind, std::string>& problems() const { return problems_; }
   void dismiss(ProblemKind kind) { problems_.erase(kind); }
-  /// Back to the settings that last gave pictures.
+  /// Back to the settings that last gave pictures, or to the last step that can be drawn.
   void go_back();
+  /// Whether that leads elsewhere: a file that broke under the settings leaves nowhere to go at times.
+  bool can_go_back();
 
   /// Another frame is wanted after so many seconds, though nothing happens until then: a delayed tooltip.
   void wake_in(double seconds);
@@ -160,8 +162,16 @@ class Workbench {
   std::string open_one(const std::string& path);
   void take(const OpenedFile& file);
   void take_mesh(const OpenedFile& file);
+  bool is_kept_preset(const std::filesystem::path& file) const;
   void take_from(const Origin& origin, const Settings& settings, const std::string& step);
   Key state_to_draw(const Settings& settings) const;
+  /// Where `go_back` leads: a step of the history, else the last good settings.
+  struct WayBack {
+    std::optional<size_t> step;
+    bool to_last_good = false;
+  };
+  const WayBack& way_back();
+  bool can_be_drawn(const Settings& settings);
   std::string files_state();
   bool take_files_state();
   bool reload_shaders();
@@ -173,6 +183,8 @@ class Workbench {
   std::optional<Settings> drawn_;      ///< Of the pictures that are shown.
   std::optional<Settings> last_good_;  ///< That gave pictures.
   std::optional<Key> failed_;          ///< What could not be drawn: not tried again until something changes.
+  WayBack way_back_;
+  std::optional<Key> way_back_from_;  ///< The failure that it was found for.
   long files_revision_ = 0;
   Key drawn_state_;  ///< In the last frame.
   long drawn_changes_ = 0;

@@ -105,16 +105,29 @@ void History::keep_limits() {
   }
 }
 
+void History::take_back(Settings& settings, const Step& step) {
+  if (step.before) {
+    settings = *step.before;
+  } else {
+    apply_changes(settings, step.changes, false);
+  }
+}
+
+std::optional<size_t> History::find_back(const std::function<bool(const Settings&)>& suits) const {
+  Settings settings = editing_ ? edit_start_ : current_;
+  for (size_t place = position_; place > 0; --place) {
+    take_back(settings, steps_[place - 1]);
+    if (suits(settings)) return place - 1;
+  }
+  return std::nullopt;
+}
+
 const Settings& History::undo() {
   end_edit();
   if (position_ == 0) return current_;
   const Step& step = steps_[--position_];
   origin_ = step.origin_before;
-  if (step.before) {
-    current_ = *step.before;
-  } else {
-    apply_changes(current_, step.changes, false);
-  }
+  take_back(current_, step);
   return current_;
 }
 

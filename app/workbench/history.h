@@ -3,7 +3,9 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,9 @@ class History {
   /// end.
   const Settings& go_to(size_t position);
 
+  /// The last place before the present one whose settings suit, as `go_to` takes it; none where none do.
+  std::optional<size_t> find_back(const std::function<bool(const Settings&)>& suits) const;
+
   /// The steps' names, oldest first; those from `position()` on are undone.
   std::vector<std::string> step_names() const;
   size_t position() const { return position_; }
@@ -67,6 +72,7 @@ class History {
     size_t origin_before = 0, origin_after = 0;
   };
 
+  static void take_back(Settings& settings, const Step& step);
   bool edit_has_changes() const;
   bool add_step(const Settings& before, const std::string& name, size_t origin);
   void keep_limits();

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
+#include <utility>
 
+#include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
@@ -54,11 +57,28 @@ Key MeshStore::content_key(const std::string& path) {
   std::error_code error;
   const auto size = static_cast<int64_t>(fs::file_size(path, error));
   const int64_t time = error ? 0 : fs::last_write_time(path, error).time_since_epoch().count();
-  FileState& state = files_[path];
-  if (error || state.size != size || state.time != time) {
-    state = {size, time, KeyBuilder().add(read_file(path)).key()};
+  const auto known = files_.find(path);
+  if (known != files_.end() && error == std::errc::no_such_file_or_directory) {
+    if (!std::exchange(known->second.is_gone, true))
+      log_note(fmt::format("{} is gone; what was read of it is drawn", path));
+    return known->second.content;
   }
-  return state.content;
+  if (known != files_.end() && !error && known->second.size == size && known->second.time == time) {
+    known->second.is_gone = false;
+    return known->second.content;
+  }
+  const Key content = KeyBuilder().add(read_file(path)).key();
+  files_[path] = {size, time, content};
+  return content;
+}
+
+bool MeshStore::can_get(const ModelParams& model, const MeshParams& level) {
+  try {
+    if (!meshes_.contains(identity(model, level))) make_model_mesh(model);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 Key MeshStore::full_identity(const ModelParams& model) {

@@ -36,12 +36,14 @@ class GpuMesh {
 
 class MeshStore {
  public:
-  /// Decides what `get` gives: the shape's parameters, or the file's content. Errors (input): the file cannot
-  /// be read.
+  /// Decides what `get` gives: the shape's parameters, or the file's content, which stays as it was read
+  /// where the file goes away. Errors (input): the file cannot be read.
   Key identity(const ModelParams& model, const MeshParams& level);
   /// Loads and uploads the first time. Errors (input): as `load_mesh_file`; its notes go to the log. The full
   /// mesh and the record of its collapses stay, so that another level of it takes milliseconds.
   const GpuMesh& get(const ModelParams& model, const MeshParams& level);
+  /// Whether `get` would give it; reads the mesh where it is not in memory.
+  bool can_get(const ModelParams& model, const MeshParams& level);
   /// Decides the full mesh of the model, whatever its level.
   Key full_identity(const ModelParams& model);
   /// Decides the model's ladder with these rounds of subdivision.
@@ -61,6 +63,7 @@ class MeshStore {
   struct FileState {
     int64_t size = 0, time = 0;
     Key content;
+    bool is_gone = false;  ///< And that was told.
   };
   Key content_key(const std::string& path);
 

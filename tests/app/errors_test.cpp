@@ -1,5 +1,6 @@
 // What goes wrong is told and leaves the pictures as they were; what is mended goes on.
 #include <fstream>
+#include <thread>
 
 #include "pipeline/base/files.h"
 #include "tests/app/app_test.h"
@@ -54,6 +55,42 @@ TEST_F(AppErrors, missing_mesh_is_told_keeps_the_pictures_and_can_be_gone_back_f
   click("go back");
   const Json after = wait_for("no problem", [](const Json& now) { return now["problems"].empty(); });
   EXPECT_EQ(parameter(after, "model.ball.mesh"), parameter(rabbit, "model.ball.mesh"));
+}
+
+TEST_F(AppErrors, mesh_file_that_goes_away_is_still_drawn_and_a_broken_one_offers_the_last_good_step) {
+  open();
+  write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const std::string shape = parameter(state(), "model.ball.shape");
+  open_by_dialog(file("t.obj"));
+  wait_for("the mesh", [&](const Json& now) { return parameter(now, "model.ball.shape") != shape; });
+  const Json before = settled();
+  fs::remove(file("t.obj"));
+  wait_for("the note", [](const Json& now) {
+    return now["log"].back().get<std::string>().find("t.obj is gone") != std::string::npos;
+  });
+  keys("Home");
+  const Json gone = settled();
+  EXPECT_EQ(gone["problems"], Json::array());
+  EXPECT_GT(runs(gone, "gbuffer"), runs(before, "gbuffer"));
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // files are looked at twice a second
+  write("t.obj", "nonsense\n");
+  wait_for_problem_of("t.obj");
+  EXPECT_EQ(settled()["steps"].size(), 2U);
+  click("go back");
+  const Json after = wait_for("no problem", [](const Json& now) { return now["problems"].empty(); });
+  EXPECT_EQ(parameter(after, "model.ball.shape"), shape);
+  EXPECT_EQ(after["position"], 0);
+}
+
+TEST_F(AppErrors, going_back_is_offered_only_where_there_is_somewhere_to_go) {
+  write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  write("scene.toml", "[[model]]\nname = \"tetra\"\nshape = \"mesh\"\nmesh = \"t.obj\"\n");
+  open_with({"--scene", file("scene.toml").string()});
+  write("t.obj", "nonsense\n");
+  wait_for_problem_of("t.obj");
+  const Json told = settled();
+  EXPECT_TRUE(told["ui"].contains("dismiss"));
+  EXPECT_FALSE(told["ui"].contains("go back"));
 }
 
 TEST_F(AppErrors, file_that_cannot_be_opened_is_told_in_the_window) {

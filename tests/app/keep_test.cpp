@@ -146,13 +146,17 @@ TEST_F(AppKeep, a_preset_is_saved_compared_loaded_and_deleted) {
   wait_for("the preset", [](const Json& now) { return now["ui"].contains("preset=one"); });
   EXPECT_TRUE(fs::exists(preset));
   EXPECT_FALSE(settled()["ui"].contains("preset:copy table")) << "nothing differs yet";
+  EXPECT_EQ(state()["scene"], "scene.toml");
   click("tab:Parameters");
   wait_for("the parameters", [](const Json& now) { return now["ui"].contains("bar:combine.k_normal"); });
   pull(0.2, 1);
   click("tab:Presets");
   wait_for("a difference", [](const Json& now) { return now["ui"].contains("preset:copy table"); });
   click("preset:load");
-  EXPECT_EQ(wait_for_k(before)["scene"], "one.toml");
+  const Json loaded = wait_for_k(before);
+  EXPECT_EQ(loaded["scene"], "scene.toml");
+  EXPECT_EQ(loaded["steps"].size(), 2U);
+  EXPECT_EQ(loaded["steps"].back(), "preset one");
   settled();
   click("preset:delete");
   wait_for("the question", [](const Json& now) { return now["ui"].contains("preset:yes"); });
@@ -160,6 +164,23 @@ TEST_F(AppKeep, a_preset_is_saved_compared_loaded_and_deleted) {
   click("preset:yes");
   wait_for("the end of it", [](const Json& now) { return !now["ui"].contains("preset=one"); });
   EXPECT_FALSE(fs::exists(preset));
+}
+
+TEST_F(AppKeep, a_preset_is_a_layer_on_the_scene_and_elsewhere_the_same_file_is_a_scene) {
+  open();
+  const std::string before = k_normal(state());
+  const fs::path folder = file("config") / "inkbench/presets";
+  fs::create_directories(folder);
+  write("other.toml", "# inkbench preset\nbase = \"scene.toml\"\n[combine]\nk_normal = 0.5\n");
+  write("config/inkbench/presets/half.toml",
+        "# inkbench preset\nbase = \"" + file("scene.toml").string() + "\"\n[combine]\nk_normal = 0.25\n");
+  open_by_dialog(folder / "half.toml");
+  EXPECT_EQ(wait_for_k("0.25")["scene"], "scene.toml");
+  settled();
+  click("bar:combine.k_normal", 3);
+  wait_for_k(before);
+  open_by_dialog(file("other.toml"));
+  EXPECT_EQ(wait_for_k("0.5")["scene"], "other.toml");
 }
 
 TEST_F(AppKeep, saved_pictures_are_the_files_that_render_writes) {
@@ -201,6 +222,26 @@ TEST_F(AppKeep, every_kind_of_file_does_its_own_and_a_bad_one_nothing) {
       << after["problems"];
   EXPECT_EQ(after["parameters"], before["parameters"]);
   EXPECT_EQ(after["steps"], before["steps"]);
+}
+
+TEST_F(AppKeep, a_typed_file_that_is_not_there_is_told_and_its_folder_listed) {
+  open();
+  write("sub/there.toml", "base = \"../scene.toml\"\n[combine]\nk_normal = 0.5\n");
+  keys("ctrl+o");
+  wait_for("the dialog", [](const Json& now) { return now["ui"].contains("chooser:ok"); });
+  settled();
+  type((file("sub") / "their.toml").string());
+  keys("Return");
+  wait_for("the message", [](const Json& now) {
+    return now["ui"].contains("chooser:problem") && now["ui"].contains("entry:there.toml");
+  });
+  click("path");
+  wait_for_text_field();
+  keys("End");
+  for (int i = 0; i < 7; ++i) keys("BackSpace");
+  type("re.toml");
+  keys("Return");
+  wait_for_k("0.5");
 }
 
 TEST_F(AppKeep, views_are_kept_under_digits_and_come_back) {

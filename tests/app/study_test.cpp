@@ -192,6 +192,8 @@ TEST_F(AppStudy, a_cell_is_taken_over_as_one_step_that_undo_takes_back) {
   EXPECT_EQ(parameter(taken, "combine.k_depth"), "0.012");
   EXPECT_EQ(parameter(taken, "image.width"), "24");
   EXPECT_EQ(parameter(taken, "image.height"), "24");
+  EXPECT_TRUE(taken["steps"][0].get<std::string>().ends_with(", 24 × 24 px")) << taken["steps"];
+  EXPECT_TRUE(taken["log"].back().get<std::string>().ends_with(", 24 × 24 px")) << taken["log"];
   keys("ctrl+z");
   EXPECT_EQ(wait_for("undo", [](const Json& now) { return now["position"] == 0; })["parameters"], before);
   EXPECT_EQ(settled()["problems"], Json::array());

@@ -186,5 +186,18 @@ TEST_F(AppView, window_closes_while_a_dense_mesh_gets_its_levels) {
   quit();
 }
 
+TEST_F(AppView, large_pictures_come_one_after_the_other_until_all_are_there) {
+  open();
+  const Json small = settled();
+  write("large.toml", "base = \"scene.toml\"\n[image]\nwidth = 1800\nheight = 1200\n");
+  open_by_dialog(file("large.toml"));
+  for (const auto& [buffer, key] : small["pictures"].items()) {
+    wait_for("the picture of " + buffer, [&](const Json& now) { return now["pictures"][buffer] != key; });
+  }
+  const Json large = settled();
+  EXPECT_EQ(runs(large, "gbuffer"), runs(small, "gbuffer") + 1);
+  EXPECT_EQ(runs(large, "picture"), runs(small, "picture") + 9);
+}
+
 }  // namespace
 }  // namespace inkbench

@@ -92,5 +92,25 @@ TEST_F(AppWhy, dragging_a_mark_of_the_histogram_fixes_what_is_white) {
   });
 }
 
+TEST_F(AppWhy, typed_black_and_white_fix_the_range_and_stay_in_order) {
+  open();
+  click("tile:normal_edges");
+  wait_for("the mark", [](const Json& now) { return !now["why"].is_null(); });
+  keys("Escape");
+  wait_for("the fields",
+           [](const Json& now) { return now["why"].is_null() && now["ui"].contains("range:white"); });
+  const auto key = [](const Json& now) { return now["pictures"]["normal_edges"].get<std::string>(); };
+  std::string last = key(settled());
+  for (const auto& [field, text] : {std::pair{"range:white", "0.25"}, {"range:black", "0.5"}}) {
+    click(field);
+    wait_for_text_field();
+    keys("ctrl+a");
+    type(text);
+    keys("Return");
+    last = key(wait_for("another picture", [&](const Json& now) { return key(now) != last; }));
+  }
+  EXPECT_LT(place("mark:black").x, place("mark:white", 1.0).x) << "white made room";
+}
+
 }  // namespace
 }  // namespace inkbench
