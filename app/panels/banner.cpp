@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
@@ -21,16 +23,24 @@ const char* title_of(ProblemKind kind) {
   return "";
 }
 
+struct ProblemPlan {
+  float buttons, wrap, height;
+};
+
+ProblemPlan plan_of(ProblemKind kind, const std::string& text, float width) {
+  const float buttons = scaled(kind == ProblemKind::drawing ? 156 : 84);
+  const float wrap = std::max(width - buttons - scaled(20), scaled(60));
+  const float text_height = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y;
+  return {buttons, wrap, ImGui::GetTextLineHeight() + text_height + scaled(18)};
+}
+
 /// Returns whether it was dismissed.
 bool draw_problem(Workbench& bench, ProblemKind kind, const std::string& text) {
   ImGui::PushID(static_cast<int>(kind));
   const float pad = scaled(10);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const float buttons = scaled(kind == ProblemKind::drawing ? 156 : 84);
-  const float wrap = width - buttons - 2 * pad;
-  const float text_height = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y;
-  const float height = ImGui::GetTextLineHeight() + text_height + scaled(18);
+  const auto [buttons, wrap, height] = plan_of(kind, text, width);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, {low.x + width, low.y + height}, theme().bar, scaled(3));
   list.AddRectFilled(low, {low.x + scaled(4), low.y + height}, theme().error, scaled(2));
@@ -53,6 +63,12 @@ bool draw_problem(Workbench& bench, ProblemKind kind, const std::string& text) {
 }
 
 }  // namespace
+
+float banner_height(const Workbench& bench, float width) {
+  float height = 0;
+  for (const auto& [kind, text] : bench.problems()) height += plan_of(kind, text, width).height + scaled(4);
+  return height;
+}
 
 void draw_banner(Workbench& bench) {
   const std::map<ProblemKind, std::string> problems = bench.problems();  // drawing may dismiss some

@@ -5,7 +5,10 @@
 
 namespace inkbench {
 
-/// Draws nothing where nothing is wrong.
+/// What it takes at that width.
+float banner_height(const Workbench& bench, float width);
+
+/// Draws into the current ImGui window; nothing where nothing is wrong.
 void draw_banner(Workbench& bench);
 
 }  // namespace inkbench

@@ -148,7 +148,6 @@ void draw_contact_sheet(Workbench& bench) {
   low = {std::floor(low.x + edge), std::floor(low.y + scaled(6))};
   room = {room.x - 2 * edge, room.y - scaled(6) - edge};
   if (room.x < scaled(20) || room.y < scaled(20)) return;
-  room.y -= draw_overlay_legend(bench, {low.x, low.y + room.y}, room.x);
   if (bench.view.comparison.active) {
     draw_comparison(bench, low, room);
   } else if (bench.view.filled) {
@@ -157,6 +156,7 @@ void draw_contact_sheet(Workbench& bench) {
   } else {
     draw_sheet(bench, low, room);
   }
+  draw_overlay_legend(bench, {low.x, low.y + room.y}, room.x);
 }
 
 }  // namespace inkbench

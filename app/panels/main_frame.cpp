@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/banner.h"
 #include "app/panels/contact_sheet.h"
 #include "app/panels/hover.h"
 #include "app/panels/keys_page.h"
-#include "app/panels/restore_bar.h"
+#include "app/panels/notices.h"
 #include "app/panels/shortcuts.h"
 #include "app/panels/status_bar.h"
 #include "app/panels/timings.h"
@@ -153,9 +152,9 @@ void MainFrame::draw(Workbench& bench) {
       "pictures", bench.studies.page_open ? Area{} : places.middle, theme().canvas,
       [&] {
         draw_toolbar(bench);
-        draw_restore_bar(bench);
-        draw_banner(bench);
+        const ImVec2 low = ImGui::GetCursorScreenPos();
         draw_contact_sheet(bench);
+        draw_notices(bench, low);
       },
       ImGuiWindowFlags_NoScrollWithMouse);
   panel("inspector", places.right, theme().panel, [&] { side_panel_.draw(bench); });

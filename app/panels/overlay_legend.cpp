@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@
 
 namespace inkbench {
 namespace {
+
+constexpr float kSwatch = 10, kBetween = 16;
 
 struct Swatch {
   std::array<uint8_t, 3> colour;
@@ -43,7 +46,22 @@ std::vector<Swatch> match_swatches(const Judgement* now) {
 }
 
 float width_of(const Swatch& swatch) {
-  return scaled(10 + 6 + 16) + ImGui::CalcTextSize(swatch.text.c_str()).x;
+  return scaled(kSwatch + 6 + kBetween) + ImGui::CalcTextSize(swatch.text.c_str()).x;
+}
+
+float total_width(const std::vector<Swatch>& swatches) {
+  float total = -scaled(kBetween);
+  for (const Swatch& swatch : swatches) total += width_of(swatch);
+  return total;
+}
+
+void draw_swatch(ImDrawList& list, const Swatch& swatch, ImVec2 low) {
+  const float size = scaled(kSwatch);
+  const float top = low.y + (ImGui::GetTextLineHeight() - size) / 2 + 1;
+  const auto& c = swatch.colour;
+  list.AddRectFilled({low.x, top}, {low.x + size, top + size}, IM_COL32(c[0], c[1], c[2], 255));
+  list.AddRect({low.x, top}, {low.x + size, top + size}, theme().faint);
+  list.AddText({low.x + size + scaled(6), low.y}, theme().text, swatch.text.c_str());
 }
 
 }  // namespace
@@ -66,28 +84,26 @@ void next_overlay(Workbench& bench) {
   bench.layout.overlay = static_cast<Overlay>((static_cast<int>(bench.layout.overlay) + 1) % 3);
 }
 
-float draw_overlay_legend(Workbench& bench, ImVec2 foot, float width) {
+void draw_overlay_legend(Workbench& bench, ImVec2 foot, float width) {
   const Overlay overlay = bench.layout.overlay;
-  if (overlay == Overlay::none) return 0;
-  const std::vector<Swatch> swatches = overlay == Overlay::reference ? reference_swatches(bench.judge.lines())
-                                                                     : match_swatches(bench.judge.now());
-  const float height = ImGui::GetTextLineHeight() + scaled(8);
-  float total = -scaled(16);
-  for (const Swatch& swatch : swatches) total += width_of(swatch);
-  float x = foot.x + std::max((width - total) / 2, 0.0F);
-  const float y = foot.y - ImGui::GetTextLineHeight();
+  if (overlay == Overlay::none) return;
+  std::vector<Swatch> swatches = overlay == Overlay::reference ? reference_swatches(bench.judge.lines())
+                                                               : match_swatches(bench.judge.now());
+  const float pad = scaled(8);
+  float total = total_width(swatches);
+  while (swatches.size() > 1 && total + 2 * pad > width) {
+    swatches.pop_back();
+    total = total_width(swatches);
+  }
+  float x = std::floor(foot.x + std::max((width - total) / 2, pad));
+  const float y = std::floor(foot.y - ImGui::GetTextLineHeight() - scaled(4));
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float size = scaled(10);
+  list.AddRectFilled({x - pad, y - scaled(4)}, {x + total + pad, foot.y}, with_alpha(theme().bar, 0.85F),
+                     scaled(3));
   for (const Swatch& swatch : swatches) {
-    if (x + width_of(swatch) - scaled(16) > foot.x + width + 1) break;
-    const float top = y + (ImGui::GetTextLineHeight() - size) / 2 + 1;
-    const auto& c = swatch.colour;
-    list.AddRectFilled({x, top}, {x + size, top + size}, IM_COL32(c[0], c[1], c[2], 255));
-    list.AddRect({x, top}, {x + size, top + size}, theme().faint);
-    list.AddText({x + size + scaled(6), y}, theme().text, swatch.text.c_str());
+    draw_swatch(list, swatch, {x, y});
     x += width_of(swatch);
   }
-  return height;
 }
 
 }  // namespace inkbench

@@ -13,7 +13,8 @@ void overlay_choice(Workbench& bench);
 /// None, reference, right and wrong, and round again.
 void next_overlay(Workbench& bench);
 
-/// A line of swatches with its lower left corner at `foot`; returns its height, 0 where nothing is laid over.
-float draw_overlay_legend(Workbench& bench, ImVec2 foot, float width);
+/// A line of swatches in the middle of a foot that begins at `foot`, over the pictures so that these stay
+/// where they are; nothing where nothing is laid over.
+void draw_overlay_legend(Workbench& bench, ImVec2 foot, float width);
 
 }  // namespace inkbench

@@ -29,13 +29,18 @@ std::string work_text(const Workbench& bench, const UnsavedWork& work) {
 
 }  // namespace
 
+float restore_bar_height(const Workbench& bench) {
+  if (bench.keeping.unsaved().empty()) return 0;
+  return 2 * ImGui::GetTextLineHeight() + scaled(20);
+}
+
 void draw_restore_bar(Workbench& bench) {
   if (bench.keeping.unsaved().empty()) return;
   const float pad = scaled(10);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float buttons = scaled(168);
-  const float height = 2 * ImGui::GetTextLineHeight() + scaled(16);
+  const float height = restore_bar_height(bench) - scaled(4);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, {low.x + width, low.y + height}, theme().bar, scaled(3));
   list.AddRectFilled(low, {low.x + scaled(4), low.y + height}, theme().accent, scaled(2));

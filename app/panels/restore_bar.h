@@ -5,6 +5,8 @@
 
 namespace inkbench {
 
+float restore_bar_height(const Workbench& bench);
+
 /// Draws into the current ImGui window; nothing where there is no such work.
 void draw_restore_bar(Workbench& bench);
 

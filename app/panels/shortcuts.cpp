@@ -44,6 +44,8 @@ void fill_by_number(Workbench& bench) {
 void step_back(Workbench& bench) {
   if (bench.layout.show_welcome) {
     bench.layout.show_welcome = false;
+  } else if (bench.problems().contains(ProblemKind::input)) {
+    bench.dismiss(ProblemKind::input);
   } else if (bench.studies.page_open) {
     bench.studies.page_open = false;
   } else if (bench.view.marked) {

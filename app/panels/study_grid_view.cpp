@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
@@ -15,7 +16,8 @@
 namespace inkbench {
 namespace {
 
-constexpr float kSmallestCell = 44, kLargestCell = 640;
+constexpr float kSmallestCell = 44, kLargestCell = 640, kWidestValue = 110;
+constexpr int kUsualDigits = 3, kMostDigits = 9;
 
 /// A single row that is long runs on like text: each cell then has its value above it.
 struct GridPlan {
@@ -24,6 +26,7 @@ struct GridPlan {
   bool flows = false;
   ImVec2 cell;  ///< Of a picture, in pixels.
   float gap = 0, value_height = 0, caption_height = 0;
+  int digits = 1;           ///< That the columns' values need to differ.
   float left = 0, top = 0;  ///< Where the cells begin: what labels take.
 
   float across() const { return cell.x + gap; }
@@ -47,6 +50,56 @@ float widest_value(const GridAxis& axis) {
   const size_t step = std::max<size_t>(1, axis.values.size() / 500);
   for (size_t i = 0; i < axis.values.size(); i += step) widest = std::max(widest, text_width(axis.values[i]));
   return widest;
+}
+
+std::optional<double> number_in(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || end != text.c_str() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string with_digits(double value, int digits) {
+  return fmt::format("{:.{}g}", value, digits);
+}
+
+/// The fewest digits with which neighbours in the axis still differ.
+int least_digits(const GridAxis& axis) {
+  const auto differ = [&](int digits) {
+    std::string before;
+    for (const std::string& text : axis.values) {
+      const std::optional<double> value = number_in(text);
+      if (!value) continue;
+      std::string shown = with_digits(*value, digits);
+      if (shown == before) return false;
+      before = std::move(shown);
+    }
+    return true;
+  };
+  int digits = 1;
+  while (digits < kMostDigits && !differ(digits)) ++digits;
+  return digits;
+}
+
+/// A value with as many digits as there is room for, and no fewer than `least`.
+std::string fitting_value(const std::string& text, float width, int least) {
+  const std::optional<double> value = number_in(text);
+  std::string shown = text;
+  for (int digits = std::max(kUsualDigits, least); value && digits >= least && text_width(shown) > width;
+       --digits)
+    shown = with_digits(*value, digits);
+  return shown;
+}
+
+/// That numbers above the columns still differ in.
+float narrowest_cell(const GridAxis& columns, int digits) {
+  float widest = scaled(kSmallestCell);
+  const size_t step = std::max<size_t>(1, columns.values.size() / 500);
+  for (size_t i = 0; i < columns.values.size(); i += step) {
+    if (const auto value = number_in(columns.values[i]))
+      widest = std::max(widest, text_width(with_digits(*value, digits)) + scaled(2));
+  }
+  return std::min(widest, std::max(scaled(kWidestValue), scaled(kSmallestCell)));
 }
 
 float fitting_width(const GridPlan& plan, ImVec2 room, float aspect) {
@@ -73,6 +126,15 @@ void flow(GridPlan& plan, ImVec2 room, float aspect) {
   plan.rows = (plan.count + best - 1) / best;
 }
 
+/// Rows of cells so wide, no longer than the room; what is below it is scrolled to.
+void wrap(GridPlan& plan, ImVec2 room, float width) {
+  const float scroll_bar = ImGui::GetStyle().ScrollbarSize;
+  const float across = room.x - plan.left - scroll_bar + plan.gap;
+  const float columns = std::floor(across / (std::floor(width) + plan.gap));
+  plan.columns = static_cast<size_t>(std::clamp(columns, 1.0F, static_cast<float>(plan.count)));
+  plan.rows = (plan.count + plan.columns - 1) / plan.columns;
+}
+
 GridPlan plan_of(const StudyResults& results, const GridChoice& choice, ImVec2 room) {
   const GridAxis& columns = results.columns();
   const GridAxis& rows = results.rows();
@@ -90,7 +152,10 @@ GridPlan plan_of(const StudyResults& results, const GridChoice& choice, ImVec2 r
   const float aspect = static_cast<float>(image.width) / static_cast<float>(image.height);
   if (plan.flows) flow(plan, room, aspect);
   const float fit = fitting_width(plan, room, aspect);
-  const float width = std::clamp(fit * choice.zoom, scaled(kSmallestCell), scaled(kLargestCell));
+  plan.digits = least_digits(columns);
+  const float least = narrowest_cell(columns, plan.digits);
+  const float width = std::min(std::max(fit, least) * choice.zoom, scaled(kLargestCell));
+  if (plan.flows && width > fit) wrap(plan, room, width);
   plan.cell = {std::floor(width), std::max(1.0F, std::floor(width / aspect))};
   return plan;
 }
@@ -196,17 +261,6 @@ void cell_tooltip(const StudyResults& results, size_t cell, const GridChoice& ch
   ImGui::EndTooltip();
 }
 
-/// A value with as many digits as there is room for.
-std::string fitting_value(const std::string& text, float width) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool is_number = !text.empty() && end == text.c_str() + text.size();
-  std::string shown = text;
-  for (int digits = 3; is_number && digits > 0 && text_width(shown) > width; --digits)
-    shown = fmt::format("{:.{}g}", value, digits);
-  return shown;
-}
-
 void draw_centred(ImDrawList& list, ImVec2 low, float width, ImU32 colour, const std::string& text) {
   const float own = text_width(text);
   if (own <= width) {
@@ -301,8 +355,9 @@ class GridView {
       list.AddRect(low, high, theme().line);
     }
     if (plan_.flows)
-      draw_centred(list, {low.x, low.y - plan_.value_height}, plan_.cell.x, theme().faint,
-                   fitting_value(results_.columns().values[row * plan_.columns + column], plan_.cell.x));
+      draw_centred(
+          list, {low.x, low.y - plan_.value_height}, plan_.cell.x, theme().faint,
+          fitting_value(results_.columns().values[row * plan_.columns + column], plan_.cell.x, plan_.digits));
     if (choice_.number)
       draw_centred(list, {low.x, high.y + scaled(1)}, plan_.cell.x, theme().text,
                    short_number(results_.number(cell, *choice_.number)));
@@ -326,7 +381,7 @@ class GridView {
     if (!plan_.flows) {
       for (size_t column = columns_.first; column < columns_.second; ++column)
         draw_centred(list, {corner(0, column).x, top + plan_.value_height}, plan_.cell.x, theme().faint,
-                     fitting_value(columns.values[column], plan_.cell.x));
+                     fitting_value(columns.values[column], plan_.cell.x, plan_.digits));
     }
     if (plan_.left == 0) return;
     const GridAxis& rows = results_.rows();

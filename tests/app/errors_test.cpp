@@ -103,6 +103,23 @@ TEST_F(AppErrors, file_that_cannot_be_opened_is_told_in_the_window) {
   EXPECT_TRUE(now["ui"].contains("tile:final"));
 }
 
+TEST_F(AppErrors, what_is_not_accepted_moves_no_picture_takes_its_own_clicks_and_goes_with_escape) {
+  open();
+  keys("1");  // one picture fills the window
+  const Json before = settled();
+  write("broken.toml", "[combine]\nk_dept = 1\n");
+  open_by_dialog("broken.toml");
+  wait_for("a problem", [](const Json& now) { return !now["problems"].empty(); });
+  EXPECT_EQ(settled()["ui"]["tile:normal"], before["ui"]["tile:normal"]);
+  const Json dismiss = settled()["ui"]["dismiss"];
+  move_to({dismiss[0].get<int>() - 60, dismiss[3].get<int>()});
+  input({"click", "1"});
+  EXPECT_TRUE(settled()["view"]["marked"].is_null()) << "the picture below is not clicked";
+  keys("Escape");
+  const Json after = wait_for("no problem", [](const Json& now) { return now["problems"].empty(); });
+  EXPECT_EQ(after["view"]["filled"], before["view"]["filled"]);
+}
+
 TEST_F(AppErrors, broken_shader_names_file_and_line_and_mending_it_draws_again) {
   open_with_own_shaders();
   const Json before = state();

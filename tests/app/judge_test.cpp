@@ -113,6 +113,7 @@ TEST_F(AppJudge, lines_over_the_pictures_by_key_change_no_picture) {
     keys("l");
     wait_for("the overlay", [&](const Json& now) { return now["layout"]["overlay"] == overlay; });
     EXPECT_EQ(settled()["pictures"], before["pictures"]);
+    EXPECT_EQ(settled()["ui"]["tile:final"], before["ui"]["tile:final"]);
   }
   EXPECT_TRUE(state()["problems"].empty());
 }
