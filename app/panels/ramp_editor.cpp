@@ -255,6 +255,7 @@ void RampEditor::draw(Workbench& bench) {
     ImGui::PopID();
     ImGui::EndGroup();
   }
+  fitted_text("Click the strip to add a stop, drag to move, Delete removes.", room, theme().faint);
   question_.draw(bench);
 }
 

@@ -10,9 +10,10 @@ namespace inkbench {
 namespace {
 
 constexpr float kStripHeight = 34, kHandleHeight = 17, kHandle = 5.5F;
-constexpr float kReach = 8;       ///< How near the mouse must be to a stop.
-constexpr float kAway = 34;       ///< How far from the strip a stop is dropped.
-constexpr float kMoveStarts = 2;  ///< Less is a click.
+constexpr float kReach = 8;         ///< How near the mouse must be to a stop.
+constexpr float kHandleReach = 13;  ///< The same below the strip, where the handles are.
+constexpr float kAway = 34;         ///< How far from the strip a stop is dropped.
+constexpr float kMoveStarts = 2;    ///< Less is a click.
 
 struct Places {
   ImVec2 low, high;  ///< Of the strip's colours.
@@ -26,11 +27,11 @@ ImU32 as_colour(const glm::vec3& c) {
   return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0F});
 }
 
-std::optional<size_t> stop_near(const Ramp& ramp, const Places& places, float x, size_t preferred) {
+std::optional<size_t> stop_near(const Ramp& ramp, const Places& places, ImVec2 mouse, size_t preferred) {
   std::optional<size_t> nearest;
-  float least = scaled(kReach);
+  float least = scaled(mouse.y > places.high.y ? kHandleReach : kReach);
   for (size_t i = 0; i < ramp.stops.size(); ++i) {
-    float distance = std::abs(places.x_of(ramp.stops[i].position) - x);
+    float distance = std::abs(places.x_of(ramp.stops[i].position) - mouse.x);
     if (i == preferred) distance -= 0.5F;  // of two in one place
     if (distance >= least) continue;
     least = distance;
@@ -61,7 +62,7 @@ void draw_handle(const Places& places, const RampStop& stop, bool selected) {
 StripResult press(const Ramp& ramp, const Places& places, StripState& state) {
   StripResult result{.pressed = true};
   const float x = ImGui::GetIO().MousePos.x;
-  const std::optional<size_t> near = stop_near(ramp, places, x, state.selected);
+  const std::optional<size_t> near = stop_near(ramp, places, ImGui::GetIO().MousePos, state.selected);
   TouchedRamp touched{ramp, near.value_or(0)};
   if (!near) {
     touched = add_stop(ramp, places.position_at(x));
@@ -92,7 +93,7 @@ std::optional<Ramp> drag(const Places& places, StripState& state) {
 
 void show_cursor(const Ramp& ramp, const Places& places, const StripState& state) {
   const float x = ImGui::GetIO().MousePos.x;
-  if (stop_near(ramp, places, x, state.selected)) {
+  if (stop_near(ramp, places, ImGui::GetIO().MousePos, state.selected)) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   } else if (!state.before) {
     ImGui::GetWindowDrawList()->AddLine({x, places.low.y}, {x, places.high.y},

@@ -69,7 +69,7 @@ void draw_entry(Workbench& bench, const ListedStudy& entry, int index) {
   const float pad = scaled(8), line = ImGui::GetTextLineHeight();
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const float height = 2 * line + scaled(18);
+  const float height = 3 * line + scaled(20);
   if (ImGui::InvisibleButton("entry", {width, height}))
     attempt(bench, [&] { bench.studies.show(entry.study); });
   bench.ui_map.mark_item("study:" + entry.study.folder.filename().string());
@@ -83,8 +83,11 @@ void draw_entry(Workbench& bench, const ListedStudy& entry, int index) {
                        scaled(3));
   const float inner = width - 2 * pad;
   draw_fitted_text(list, {low.x + pad, low.y + scaled(5)}, inner, theme().text, entry.study.title);
+  // Two runs of one sweep differ in their folders alone.
+  draw_fitted_text(list, {low.x + pad, low.y + scaled(7) + line}, inner, theme().faint,
+                   entry.study.folder.filename().string());
   const ImU32 colour = selected && colour_of(entry) == theme().faint ? theme().text : colour_of(entry);
-  draw_fitted_text(list, {low.x + pad, low.y + scaled(7) + line}, inner, colour, state_text(entry));
+  draw_fitted_text(list, {low.x + pad, low.y + scaled(9) + 2 * line}, inner, colour, state_text(entry));
   draw_progress(entry, {low.x + pad, low.y + height - scaled(6)}, inner);
   entry_menu(bench, entry);
   ImGui::PopID();
