@@ -21,6 +21,8 @@ namespace {
 
 constexpr float kSmallestSide = 160, kSmallestBottom = 70, kSmallestMiddle = 240;
 constexpr float kDivider = 4;
+/// Windows that are narrower or lower fold panels away, so that the pictures keep at least half of them.
+constexpr float kRightFits = 720, kLeftFits = 560, kBottomFits = 420;
 
 struct Area {
   ImVec2 low, high;
@@ -82,13 +84,16 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
   const auto side = [&](bool shown, float share) {
     return shown ? std::round(std::max(share * screen.x, scaled(kSmallestSide))) : 0;
   };
-  const float left = side(layout.show_parameters, layout.left);
-  float right = side(layout.show_inspector && !bench.studies.page_open, layout.right);
+  const bool left_fits = screen.x >= scaled(kLeftFits), right_fits = screen.x >= scaled(kRightFits);
+  float left = side(layout.show_parameters && left_fits, layout.left);
+  float right = side(layout.show_inspector && !bench.studies.page_open && right_fits, layout.right);
+  if (!right_fits) left = std::min(left, std::floor(screen.x / 2 - gap));
   const float spare = screen.x - left - right - scaled(kSmallestMiddle);
   if (spare < 0) right = std::max(0.0F, right + spare);
-  const bool has_bottom = layout.show_timings || layout.show_log || bench.view.edits_ramps;
+  const bool fits = screen.y >= scaled(kBottomFits);
+  const bool has_bottom = (fits && (layout.show_timings || layout.show_log)) || bench.view.edits_ramps;
   const float wanted = std::max(std::round(layout.bottom * screen.y), scaled(kSmallestBottom));
-  const float bottom = has_bottom ? std::min(wanted, (foot - top) * 0.6F) : 0;
+  const float bottom = has_bottom ? std::min(wanted, (foot - top) * (fits ? 0.6F : 0.5F)) : 0;
   const float middle_foot = bottom > 0 ? foot - bottom - gap : foot;
   Places places;
   const float x1 = left > 0 ? left + gap : 0;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/panels/attempt.h"
 #include "app/panels/study_axes.h"
@@ -16,12 +17,14 @@
 #include "app/workbench/duration_text.h"
 #include "app/workbench/folder_listing.h"
 #include "app/workbench/study_plan.h"
+#include "pipeline/base/text.h"
 #include "studies/sweep/number_columns.h"
 
 namespace inkbench {
 namespace {
 
 constexpr float kNames = 66;  // width of the column of names
+constexpr double kBytesPerPixel = 3;
 
 /// A row's name, and the cursor where its widget begins.
 void row_name(const char* name) {
@@ -116,8 +119,8 @@ void text_row(Workbench& bench, const char* name, std::string& text, const std::
   bench.ui_map.mark_item(std::string("study ") + name);
 }
 
-void place_rows(Workbench& bench, StudyForm& form, const CheckedForm& checked) {
-  text_row(bench, "Name", form.name, checked.draft.path.stem().string());
+void place_rows(Workbench& bench, StudyForm& form, const CheckedForm& shown) {
+  text_row(bench, "Name", form.name, shown.draft.path.stem().string());
   std::string folder = form.folder.string();
   text_row(bench, "Folder", folder, "");
   form.folder = folder;
@@ -131,42 +134,49 @@ double pass_seconds_per_pixel(const Workbench& bench) {
   return ms * 1e-3 / (static_cast<double>(image.width) * image.height);
 }
 
-void plan_lines(Workbench& bench, const CheckedForm& checked) {
-  ImGui::PushTextWrapPos(0);
-  if (checked.spec) {
-    std::string text = plan_text(*checked.spec);
-    const double seconds = bench.studies.estimated_seconds(pass_seconds_per_pixel(bench));
-    if (seconds >= 0) text += ", about " + duration_text(seconds);
-    ImGui::TextUnformatted(text.c_str());
-  } else {
-    coloured_text(theme().error, checked.problem);
-  }
-  if (!checked.note.empty()) faint_text(checked.note);
-  ImGui::PopTextWrapPos();
+constexpr double kLongSeconds = 3600;
+
+/// Of the disk that the folder is on, or will be; below 0 where that cannot be told.
+double free_bytes(std::filesystem::path folder) {
+  std::error_code error;
+  while (!std::filesystem::exists(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  return error ? -1.0 : static_cast<double>(space.available);
 }
 
-void run_buttons(Workbench& bench, const CheckedForm& checked) {
-  const bool can_run = checked.spec.has_value();
-  ImGui::BeginDisabled(!can_run);
+/// Why to ask before it runs; empty where there is no reason.
+std::string too_large(const CheckedForm& checked, double seconds) {
+  const double bytes = free_bytes(checked.out);
+  if (bytes >= 0 && kBytesPerPixel * pixel_count(*checked.spec) > bytes)
+    return "It may not fit on the disk: " + readable_bytes(bytes) + " are free.";
+  return seconds > kLongSeconds ? "It takes about " + duration_text(seconds) + "." : "";
+}
+
+std::vector<std::string> keys_of(const StudyForm& form) {
+  std::vector<std::string> keys;
+  for (const SweepAxis& axis : form.request.axes) keys.push_back(axis.key);
+  return keys;
+}
+
+bool accent_button(const char* label) {
   ImGui::PushStyleColor(ImGuiCol_Button, theme().accent);
   ImGui::PushStyleColor(ImGuiCol_Text, theme().on_accent);
-  const bool runs = ImGui::Button("Run", {scaled(96), 0});
+  const bool pressed = ImGui::Button(label, {scaled(96), 0});
   ImGui::PopStyleColor(2);
-  bench.ui_map.mark_item("run study");
-  help_for_item(bench.studies.is_busy() ? "After those that run already."
-                                        : "In the background; the window stays usable.");
-  ImGui::SameLine();
+  return pressed;
+}
+
+void save_button(Workbench& bench, const CheckedForm& checked) {
+  const std::filesystem::path path = checked.draft.path;
   const bool saves = ImGui::Button("Save the spec");
   bench.ui_map.mark_item("save spec");
-  help_for_item(path_text(checked.draft.path));
-  ImGui::EndDisabled();
-  const std::filesystem::path path = checked.draft.path;
-  if (runs) attempt(bench, [&] { bench.studies.run(); });
+  help_for_item(path_text(path));
+  if (checked.spec && checked.is_saved) {
+    ImGui::SameLine();
+    faint_text("saved");
+  }
   if (saves && attempt(bench, [&] { bench.studies.save(); }))
     bench.tell(Severity::note, "saved " + path.string());
-  if (!can_run || !checked.is_saved) return;
-  ImGui::SameLine();
-  faint_text("saved");
 }
 
 void empty_page(Workbench& bench) {
@@ -181,7 +191,8 @@ void empty_page(Workbench& bench) {
   if (ImGui::Button("New study")) attempt(bench, [&] { bench.studies.new_form(bench.settings()); });
 }
 
-void draw_fields(Workbench& bench, StudyForm& form, const CheckedForm& checked) {
+/// `shown`: the names that are made from the axes, while `checked` has none.
+void draw_fields(Workbench& bench, StudyForm& form, const CheckedForm& checked, const CheckedForm& shown) {
   if (form.own_text) {
     bold(form.source.empty() ? "A spec of your own" : form.source.filename().string());
     ImGui::PushTextWrapPos(0);
@@ -196,19 +207,73 @@ void draw_fields(Workbench& bench, StudyForm& form, const CheckedForm& checked) 
     show_row(bench, form);
     measure_row(bench, form);
     size_row(bench, form);
-    text_row(bench, "Title", form.request.title, checked.spec ? checked.spec->title : "");
+    text_row(bench, "Title", form.request.title, shown.spec ? shown.spec->title : "");
   }
-  place_rows(bench, form, checked);
+  place_rows(bench, form, shown);
 }
 
 }  // namespace
+
+void StudyFormPanel::plan_lines(Workbench& bench, const CheckedForm& checked) {
+  large_.clear();
+  ImGui::PushTextWrapPos(0);
+  if (checked.spec) {
+    std::string text = plan_text(*checked.spec);
+    const double seconds = bench.studies.estimated_seconds(pass_seconds_per_pixel(bench));
+    large_ = too_large(checked, seconds);
+    if (seconds >= 0) text += ", about " + duration_text(seconds);
+    coloured_text(large_.empty() ? theme().text : theme().warning, text);
+  } else {
+    coloured_text(theme().error, checked.problem);
+  }
+  if (!checked.note.empty()) faint_text(checked.note);
+  ImGui::PopTextWrapPos();
+}
+
+/// A large study is asked about; a change of it takes the question back.
+void StudyFormPanel::run_buttons(Workbench& bench, const CheckedForm& checked) {
+  const bool can_run = checked.spec.has_value();
+  const bool asks = can_run && !large_.empty() && asked_about_ == checked.draft.text;
+  if (!asks) asked_about_.clear();
+  if (asks) wrapped_text(large_ + " Run it all the same?", theme().warning);
+  ImGui::BeginDisabled(!can_run);
+  const bool pressed = accent_button("Run");
+  bench.ui_map.mark_item("run study");
+  help_for_item(bench.studies.is_busy() ? "After those that run already."
+                                        : "In the background; the window stays usable.");
+  ImGui::SameLine();
+  if (asks) {
+    if (ImGui::Button("Do not run")) asked_about_.clear();
+    bench.ui_map.mark_item("do not run");
+    ImGui::SameLine();
+  }
+  save_button(bench, checked);
+  ImGui::EndDisabled();
+  const bool answers = ImGui::GetIO().MouseClickedLastCount[0] < 2;  // a double click is one press
+  if (!pressed || (asks && !answers)) return;
+  const bool asks_now = !large_.empty() && !asks;
+  asked_about_ = asks_now ? checked.draft.text : "";
+  if (!asks_now) attempt(bench, [&] { bench.studies.run(); });
+}
+
+void StudyFormPanel::remember(const StudyForm& form, const CheckedForm& checked) {
+  const StudyDraft& known = last_good_.checked.draft;
+  const bool is_new = known.text != checked.draft.text || known.path != checked.draft.path;
+  if (checked.spec && is_new) last_good_ = {keys_of(form), checked};
+}
+
+const CheckedForm& StudyFormPanel::shown(const StudyForm& form, const CheckedForm& checked) const {
+  const bool is_blank = !checked.spec && !form.own_text && !form.request.axes.empty();
+  return is_blank && last_good_.keys == keys_of(form) ? last_good_.checked : checked;
+}
 
 /// Fields scroll where they do not fit; what runs them stays in sight.
 void StudyFormPanel::draw_form(Workbench& bench, const CheckedForm& checked) {
   const float foot = ImGui::GetContentRegionAvail().y - foot_height_;
   ImGui::BeginChild("fields", {0, std::max(std::min(fields_height_, foot), scaled(40))}, false,
                     ImGuiWindowFlags_NoBackground);
-  draw_fields(bench, *bench.studies.form(), checked);
+  StudyForm& form = *bench.studies.form();
+  draw_fields(bench, form, checked, shown(form, checked));
   const float fields = ImGui::GetCursorPosY();
   ImGui::EndChild();
   const float top = ImGui::GetCursorPosY();
@@ -228,7 +293,7 @@ void StudyFormPanel::draw_spec(Workbench& bench, const CheckedForm& checked) {
   bold("Spec");
   const float width = ImGui::CalcTextSize("Copy").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-  std::string text = form.own_text ? *form.own_text : checked.draft.text;
+  std::string text = form.own_text ? *form.own_text : shown(form, checked).draft.text;
   if (ImGui::Button("Copy")) ImGui::SetClipboardText(text.c_str());
   bench.ui_map.mark_item("copy spec");
   ImGui::PushFont(fonts().fixed);
@@ -255,6 +320,7 @@ void StudyFormPanel::draw(Workbench& bench) {
   Studies& studies = bench.studies;
   if (studies.form() == nullptr) return empty_page(bench);
   const CheckedForm& checked = studies.checked(bench.settings(), bench.scene(), !bench.is_editing());
+  remember(*studies.form(), checked);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = scaled(20);
   const float left = std::clamp(std::floor(room.x * 0.55F), scaled(330), scaled(520));
