@@ -19,10 +19,10 @@
 namespace inkbench {
 namespace {
 
-constexpr float kSmallestSide = 160, kSmallestBottom = 70, kSmallestMiddle = 240;
+constexpr float kSmallestLeft = 264, kSmallestRight = 220, kSmallestBottom = 70, kSmallestMiddle = 240;
 constexpr float kDivider = 4;
 /// Windows that are narrower or lower fold panels away, so that the pictures keep at least half of them.
-constexpr float kRightFits = 720, kLeftFits = 560, kBottomFits = 420;
+constexpr float kRightFits = 860, kLeftFits = 560, kBottomFits = 420;
 
 struct Area {
   ImVec2 low, high;
@@ -81,12 +81,13 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
   const float top = menu_bar_.height();
   const float foot = screen.y - ImGui::GetTextLineHeight() - scaled(8);
   const float gap = scaled(kDivider);
-  const auto side = [&](bool shown, float share) {
-    return shown ? std::round(std::max(share * screen.x, scaled(kSmallestSide))) : 0;
+  const auto side = [&](bool shown, float share, float smallest) {
+    return shown ? std::round(std::max(share * screen.x, scaled(smallest))) : 0;
   };
   const bool left_fits = screen.x >= scaled(kLeftFits), right_fits = screen.x >= scaled(kRightFits);
-  float left = side(layout.show_parameters && left_fits, layout.left);
-  float right = side(layout.show_inspector && !bench.studies.page_open && right_fits, layout.right);
+  float left = side(layout.show_parameters && left_fits, layout.left, kSmallestLeft);
+  float right =
+      side(layout.show_inspector && !bench.studies.page_open && right_fits, layout.right, kSmallestRight);
   if (!right_fits) left = std::min(left, std::floor(screen.x / 2 - gap));
   const float spare = screen.x - left - right - scaled(kSmallestMiddle);
   if (spare < 0) right = std::max(0.0F, right + spare);
