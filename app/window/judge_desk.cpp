@@ -114,6 +114,7 @@ void JudgeDesk::take_results() {
 
 void JudgeDesk::refresh(Pictures& pictures, const Settings& settings, Wanted wanted, bool hurry) {
   take_results();
+  late_ = false;  // also of what is no longer looked at: nothing waits for it
   if (!wanted.lines && !wanted.measures) return;
   const bool lines_are_new = refresh_lines(pictures.source(), settings, hurry);
   if (!wanted.measures) return;

@@ -230,8 +230,7 @@ void WindowLoop::run() {
     draw_frame();
     --frames_wanted_;
     ++frames;
-    const bool waits_for_times =
-        bench_.timer.is_waiting() || bench_.pictures.has_late() || bench_.judge.is_late();
+    const bool waits_for_times = bench_.timer.is_waiting() || bench_.has_late();
     if (waits_for_times && frames_wanted_ <= 0 && !bench_.is_editing()) frames_wanted_ = 1;
   }
   if (options_.drag_frames > 0) {

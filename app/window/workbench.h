@@ -101,6 +101,8 @@ class Workbench {
 
   /// Once a frame, before the panels: brings the pictures that are looked at up to date.
   void refresh();
+  /// Whether something that is looked at waits for a frame without hurry.
+  bool has_late() const { return !failed_ && (pictures.has_late() || judge.is_late()); }
   /// Now and then: takes in edits of shaders, meshes and ramps on disk. Returns whether there were any.
   bool poll_files();
   /// Another number after each such edit.
