@@ -24,7 +24,7 @@ constexpr std::array kKeys{"Escape", "Return",    "Tab",
                            "ctrl+o", "ctrl+s",    "ctrl+a",
                            "ctrl+c", "ctrl+v",    "shift+Left"};
 constexpr std::array kModifiers{"ctrl", "shift", "alt"};
-constexpr std::array kTexts{"0.01", " -1",      "1e9", "nan", "k",         "ball",
+constexpr std::array kTexts{"0.01", " -1",     "1e9", "nan", "k",         "ball",
                             "512",  "[0 1 0]", "##",  "0",   "nosuch.obj"};
 /// They lead out of the folders that the test made, or out of the program.
 constexpr std::array<std::string_view, 4> kForbidden{"place:All files", "chooser:up", "path", "menu:Quit"};
