@@ -108,14 +108,19 @@ long AppTest::resident_kb() const {
   throw std::runtime_error("the program is gone");
 }
 
+bool AppTest::has_ended() {
+  int status = 0;
+  if (process_ > 0 && waitpid(process_, &status, WNOHANG) == process_) {
+    process_ = -1;
+    end_status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  return process_ < 0;
+}
+
 int AppTest::wait_for_end() {
   const auto start = Clock::now();
-  int status = 0;
   while (seconds_since(start) < kPatience) {
-    if (waitpid(process_, &status, WNOHANG) == process_) {
-      process_ = -1;
-      return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
+    if (has_ended()) return end_status_;
     std::this_thread::sleep_for(kPause);
   }
   ADD_FAILURE() << "the program did not end";
@@ -142,6 +147,8 @@ Json AppTest::wait_for(const std::string& what, const std::function<bool(const J
   while (seconds_since(start) < kPatience) {
     Json now = state();
     if (!now.is_null() && holds(now)) return now;
+    if (has_ended())
+      throw std::runtime_error("the program ended with " + std::to_string(end_status_) + ", before " + what);
     std::this_thread::sleep_for(kPause);
   }
   throw std::runtime_error("waited in vain for " + what + "; the state is " + state().dump(1));

@@ -26,6 +26,7 @@ class AppTest : public testing::Test {
   void open(bool close_keys_page = true);
   /// The same with other arguments than the scene's.
   void open_with(const std::vector<std::string>& arguments, bool close_keys_page = true);
+  bool has_ended();
   /// Waits for the program's end; its exit status, or -1 for another end.
   int wait_for_end();
   /// By the keyboard; expects status 0.
@@ -35,7 +36,8 @@ class AppTest : public testing::Test {
 
   /// What the window says now.
   Json state() const;
-  /// Waits until `holds` is true of the state, which is returned. Throws after 20 s.
+  /// Waits until `holds` is true of the state, which is returned. Throws after 20 s, or when the
+  /// program has ended.
   Json wait_for(const std::string& what, const std::function<bool(const Json&)>& holds);
   /// Waits until nothing has changed for a moment.
   Json settled();
@@ -86,8 +88,9 @@ class AppTest : public testing::Test {
 
  private:
   TemporaryFolder folder_;
-  pid_t process_ = -1;
-  long marks_ = 0;  ///< How often `input` was called.
+  pid_t process_ = -1;   ///< -1 without one.
+  int end_status_ = -1;  ///< Of the last one.
+  long marks_ = 0;       ///< How often `input` was called.
 };
 
 }  // namespace inkbench

@@ -38,7 +38,8 @@ class Monkey {
   void resize();
 
   std::mt19937_64 random_;
-  std::vector<std::vector<double>> widgets_;  ///< Left, top, right, bottom in px.
+  using Rect = std::vector<double>;  ///< Left, top, right, bottom in px.
+  std::vector<Rect> widgets_, forbidden_;
   int width_ = 0, height_ = 0;
   bool in_chooser_ = false;
   std::string script_;
