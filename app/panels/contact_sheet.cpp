@@ -47,7 +47,7 @@ SheetGrid best_grid(int count, ImVec2 room, float aspect) {
 }
 
 std::string range_note(const ShownPicture& shown) {
-  if (shown.is_late) return shown.texture == nullptr ? "..." : "when you let go";
+  if (shown.is_late) return "…";
   if (!shown.range) return "";
   return shortest(std::round(shown.range->black * 1e4F) / 1e4F) + " to " +
          shortest(std::round(shown.range->white * 1e4F) / 1e4F);

@@ -174,7 +174,7 @@ void JudgeView::draw_state(Workbench& bench) {
   if (judge.is_behind() && !waits) bench.wake_in(kPatience);
   std::string text;
   if (judge.now() != nullptr) text = fmt::format("measured in {:.0f} ms", 1e3 * judge.now()->seconds);
-  if (waits) text = judge.is_late() ? "measured when you let go" : "measuring…";
+  if (waits) text = "measuring…";
   if (judge.pinned() != nullptr)
     text += is_same_view(bench) ? "; changes since the pin" : "; the pin is of another view";
   fitted_text(text, ImGui::GetContentRegionAvail().x, theme().faint);

@@ -25,12 +25,12 @@ struct Swatch {
   std::string text;
 };
 
-std::vector<Swatch> reference_swatches(const ReferenceLines* lines) {
+std::vector<Swatch> reference_swatches(const FoundLines* found) {
   std::vector<Swatch> swatches;
   for (const LineClass line_class : kLineClasses) {
     const auto has_class = [&](const Polyline& line) { return line.line_class == line_class; };
-    const bool there =
-        lines == nullptr || std::any_of(lines->polylines.begin(), lines->polylines.end(), has_class);
+    const bool there = found == nullptr ||
+                       std::any_of(found->lines->polylines.begin(), found->lines->polylines.end(), has_class);
     if (there) swatches.push_back({colour_of(line_class), std::string(name_of(line_class))});
   }
   return swatches;
@@ -87,8 +87,9 @@ void next_overlay(Workbench& bench) {
 void draw_overlay_legend(Workbench& bench, ImVec2 foot, float width) {
   const Overlay overlay = bench.layout.overlay;
   if (overlay == Overlay::none) return;
-  std::vector<Swatch> swatches = overlay == Overlay::reference ? reference_swatches(bench.judge.lines())
-                                                               : match_swatches(bench.judge.now());
+  std::vector<Swatch> swatches = overlay == Overlay::reference
+                                     ? reference_swatches(bench.pictures.reference().now())
+                                     : match_swatches(bench.judge.now());
   const float pad = scaled(8);
   float total = total_width(swatches);
   while (swatches.size() > 1 && total + 2 * pad > width) {

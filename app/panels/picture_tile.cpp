@@ -36,7 +36,7 @@ void move_view(Workbench& bench, const TileFrame& frame, bool dragging) {
 /// Pinned pictures and the lines themselves have none; one of another size is of settings a moment ago.
 TileOverlay overlay_for(Workbench& bench, const ComparedPicture& which, const Texture& picture) {
   if (which.pinned || which.buffer == BufferName::reference) return {};
-  const TileOverlay overlay = bench.judge.overlay(bench.layout.overlay);
+  const TileOverlay overlay = bench.judge.overlay(bench.layout.overlay, bench.pictures.reference());
   const bool fits = overlay.texture != nullptr && overlay.texture->width_px() == picture.width_px() &&
                     overlay.texture->height_px() == picture.height_px();
   return fits ? overlay : TileOverlay{};

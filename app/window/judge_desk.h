@@ -24,7 +24,7 @@ class JudgeDesk {
   };
 
   /// Takes in what was measured and asks for what is not up to date. `hurry`: something is being dragged, so
-  /// that slow reference lines wait. Errors (input, work): as `Pictures::refresh`.
+  /// that the pinned state waits. Errors (input, work): as `Pictures::refresh`.
   void refresh(Pictures& pictures, const Settings& settings, Wanted wanted, bool hurry);
 
   /// The newest measures, perhaps of settings a moment ago; null before the first ones.
@@ -33,29 +33,22 @@ class JudgeDesk {
   const Judgement* pinned() const { return pinned_ ? &*pinned_ : nullptr; }
   /// Whether `now` is of other settings than the last ones seen.
   bool is_behind() const { return behind_; }
-  /// Whether the reference lines wait until nothing is dragged.
-  bool is_late() const { return late_; }
   /// Whether there are new measures since the last call: a frame should show them.
   bool take_news() { return news_.exchange(false); }
 
-  /// The last reference lines found, or null.
-  const ReferenceLines* lines() const { return lines_.get(); }
   /// The lines to lay over pictures of the present settings; none where there are none yet.
-  TileOverlay overlay(Overlay kind);
+  TileOverlay overlay(Overlay kind, ReferenceDesk& reference);
 
  private:
-  bool refresh_lines(BufferSource& source, const Settings& settings, bool hurry);
-  void refresh_measures(Pipeline& pipeline, const Settings& settings);
+  void refresh_measures(Pipeline& pipeline, const Settings& settings, const FoundLines& lines);
   void refresh_pinned(Pictures& pictures);
   void take_results();
 
-  std::shared_ptr<const ReferenceLines> lines_;
-  Key lines_key_, asked_, pinned_key_;
-  double lines_ms_;
+  Key asked_, pinned_key_;
   uint64_t last_id_ = 0;
-  bool behind_ = false, late_ = false;
+  bool behind_ = false;
   std::optional<Judgement> now_, pinned_;
-  Stage<Texture> reference_, matches_;
+  Stage<Texture> matches_;
   std::atomic<bool> news_ = false;
   LiveJudge judge_, pinned_judge_;  ///< Last: their threads write `news_`.
 };

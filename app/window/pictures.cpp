@@ -7,13 +7,9 @@
 #include <vector>
 
 #include "pipeline/gl/context.h"
-#include "studies/reference/drawing.h"
 
 namespace inkbench {
 namespace {
-
-/// Lines that took longer than this are not found anew while a slider is held.
-constexpr double kLongMs = 25.0;
 
 /// Pictures of more pixels may take seconds each.
 constexpr int64_t kLargePixels = 2 << 20;
@@ -25,18 +21,6 @@ bool is_large(const Settings& settings) {
 
 size_t place_of(BufferName buffer) {
   return static_cast<size_t>(buffer);
-}
-
-Texture upload_picture(const Picture& picture) {
-  Image image(picture.width_px, picture.height_px, 4, 1.0F);
-  for (int y = 0; y < picture.height_px; ++y) {
-    for (int x = 0; x < picture.width_px; ++x) {
-      for (int c = 0; c < 3; ++c) image.at(x, y, c) = static_cast<float>(picture.at(x, y, c)) / 255.0F;
-    }
-  }
-  Texture texture("reference picture", TextureFormat::rgba8, picture.width_px, picture.height_px);
-  texture.upload(image);
-  return texture;
 }
 
 Texture copy_of(const Texture& from) {
@@ -65,14 +49,16 @@ void toggle_fit(PictureChoice& choice) {
   choice.kind = fitted ? PictureChoice::Kind::gains : PictureChoice::Kind::fitted;
 }
 
-Pictures::Pictures() : reference_ms_(std::numeric_limits<double>::infinity()) {}
-
 const ShownPicture& Pictures::shown(BufferName buffer, bool pinned) const {
   return pinned ? pinned_[place_of(buffer)] : now_[place_of(buffer)];
 }
 
 bool Pictures::has_late() const {
-  return std::any_of(now_.begin(), now_.end(), [](const ShownPicture& picture) { return picture.is_late; });
+  for (size_t i = 0; i < kBufferCount; ++i) {
+    // The lines tell when they are there.
+    if (now_[i].is_late && i != place_of(BufferName::reference)) return true;
+  }
+  return false;
 }
 
 ShownRange Pictures::fitted_range(const Settings& settings, BufferName buffer) {
@@ -80,29 +66,16 @@ ShownRange Pictures::fitted_range(const Settings& settings, BufferName buffer) {
                                        [&] { return range_of(pipeline_.raw(settings, buffer)); });
 }
 
-void Pictures::refresh_reference(const Settings& settings, bool hurry) {
+void Pictures::refresh_reference(const Settings& settings) {
+  reference_.refresh(settings);
   ShownPicture& shown = now_[place_of(BufferName::reference)];
-  const Key key = pipeline_.buffer_key(settings, BufferName::reference);
-  if (shown.texture != nullptr && shown.key == key) {
-    shown.is_late = false;
-    return;
-  }
-  if (hurry && reference_ms_ > kLongMs) {
-    shown.is_late = true;
-    return;
-  }
-  const auto start = std::chrono::steady_clock::now();
-  const Picture picture = draw_reference(source_.reference(settings));
-  reference_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  const Texture& texture = reference_.get(key, [&] { return upload_picture(picture); });
-  shown = {&texture, key, std::nullopt, false};
+  if (reference_.now() != nullptr)
+    shown = {&reference_.picture(), reference_.now()->key, std::nullopt, false};
+  shown.is_late = reference_.is_behind();
 }
 
-void Pictures::refresh_one(const Settings& settings, BufferName buffer, bool hurry) {
-  if (buffer == BufferName::reference) {
-    refresh_reference(settings, hurry);
-    return;
-  }
+void Pictures::refresh_one(const Settings& settings, BufferName buffer) {
+  if (buffer == BufferName::reference) return refresh_reference(settings);
   const PictureChoice& choice = choices_[place_of(buffer)];
   std::optional<ShownRange> range;
   if (choice.kind == PictureChoice::Kind::fitted) range = fitted_range(settings, buffer);
@@ -112,7 +85,7 @@ void Pictures::refresh_one(const Settings& settings, BufferName buffer, bool hur
 }
 
 /// OpenGL may put work off until something waits for it, so that only finished pictures tell their time.
-void Pictures::refresh_large(const Settings& settings, std::span<const BufferName> buffers, bool hurry) {
+void Pictures::refresh_large(const Settings& settings, std::span<const BufferName> buffers) {
   const auto start = std::chrono::steady_clock::now();
   bool is_over = false;
   for (const BufferName buffer : buffers) {
@@ -122,14 +95,14 @@ void Pictures::refresh_large(const Settings& settings, std::span<const BufferNam
       continue;
     }
     const Key before = shown.key;
-    refresh_one(settings, buffer, hurry);
+    refresh_one(settings, buffer);
     if (shown.key == before) continue;
     glFinish();
     is_over = std::chrono::steady_clock::now() - start > kMoment;
   }
 }
 
-void Pictures::refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool hurry,
+void Pictures::refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted,
                        BufferName first) {
   std::vector<BufferName> buffers;
   for (size_t i = 0; i < kBufferCount; ++i) {
@@ -138,19 +111,21 @@ void Pictures::refresh(const Settings& settings, const std::array<bool, kBufferC
   }
   if (is_large(settings)) {
     std::stable_partition(buffers.begin(), buffers.end(), [&](BufferName buffer) { return buffer == first; });
-    return refresh_large(settings, buffers, hurry);
+    return refresh_large(settings, buffers);
   }
-  for (const BufferName buffer : buffers) refresh_one(settings, buffer, hurry);
+  for (const BufferName buffer : buffers) refresh_one(settings, buffer);
 }
 
 void Pictures::pin(const Settings& settings) {
+  reference_.finish(settings);
   for (size_t i = 0; i < kBufferCount; ++i) {
-    refresh_one(settings, static_cast<BufferName>(i), false);
+    refresh_one(settings, static_cast<BufferName>(i));
     pinned_textures_[i] = copy_of(*now_[i].texture);
     pinned_[i] = now_[i];
     pinned_[i].texture = &pinned_textures_[i];
     pinned_[i].key = KeyBuilder().add("pinned").add(now_[i].key).key();
   }
+  pinned_lines_ = reference_.now()->lines;
   pinned_settings_ = settings;
   throw_gl_errors("pinning the pictures");
 }
@@ -158,6 +133,7 @@ void Pictures::pin(const Settings& settings) {
 void Pictures::unpin() {
   pinned_ = {};
   for (Texture& texture : pinned_textures_) texture = Texture();
+  pinned_lines_.reset();
   pinned_settings_.reset();
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "app/window/reference_desk.h"
 #include "pipeline/pipeline.h"
 #include "studies/reference/buffer_source.h"
 
@@ -19,7 +20,7 @@ struct ShownPicture {
   const Texture* texture = nullptr;
   Key key;
   std::optional<ShownRange> range;  ///< What is black and white, where the display gains do not say.
-  bool is_late = false;             ///< Of earlier settings: it takes long and waits until there is no hurry.
+  bool is_late = false;             ///< Of earlier settings: the present ones' is still being made.
 };
 
 /// How a buffer's values become a picture. Of the window only: files are written with the display gains.
@@ -37,20 +38,17 @@ constexpr bool has_range(BufferName buffer) {
 /// From any range to the fitted one, and from that to the display gains.
 void toggle_fit(PictureChoice& choice);
 
+/// Needs a current OpenGL 4.5 context for its whole life. To make one, errors (input): a shader does not
+/// compile.
 class Pictures {
  public:
-  /// Needs a current OpenGL 4.5 context for its whole life. Errors (input): a shader does not compile.
-  Pictures();
-
-  /// Draws what `wanted` names and is not up to date. `hurry`: a slider is being dragged, so that what
-  /// takes long waits. Of large images only as much as a moment allows, at least one picture and `first`
-  /// before the others; the rest is late. Errors (input, work): what cannot be drawn; that picture and those
-  /// after it stay as they were.
-  void refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, bool hurry,
-               BufferName first);
+  /// Draws what `wanted` names and is not up to date; reference lines are found beside the window. Of large
+  /// images only as much as a moment allows, at least one picture and `first` before the others; the rest is
+  /// late. Errors (input, work): what cannot be drawn; that picture and those after it stay as they were.
+  void refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, BufferName first);
 
   const ShownPicture& shown(BufferName buffer, bool pinned) const;
-  /// Whether something waits for a refresh without hurry.
+  /// Whether a picture waits for another refresh.
   bool has_late() const;
 
   PictureChoice& choice(BufferName buffer) { return choices_[static_cast<size_t>(buffer)]; }
@@ -59,15 +57,19 @@ class Pictures {
   void pin(const Settings& settings);
   void unpin();
   const std::optional<Settings>& pinned_settings() const { return pinned_settings_; }
+  /// Null where nothing is pinned.
+  const std::shared_ptr<const ReferenceLines>& pinned_lines() const { return pinned_lines_; }
 
   Pipeline& pipeline() { return pipeline_; }
   const Pipeline& pipeline() const { return pipeline_; }
   BufferSource& source() { return source_; }
+  ReferenceDesk& reference() { return reference_; }
+  const ReferenceDesk& reference() const { return reference_; }
 
  private:
-  void refresh_large(const Settings& settings, std::span<const BufferName> buffers, bool hurry);
-  void refresh_one(const Settings& settings, BufferName buffer, bool hurry);
-  void refresh_reference(const Settings& settings, bool hurry);
+  void refresh_large(const Settings& settings, std::span<const BufferName> buffers);
+  void refresh_one(const Settings& settings, BufferName buffer);
+  void refresh_reference(const Settings& settings);
   ShownRange fitted_range(const Settings& settings, BufferName buffer);
 
   Pipeline pipeline_;
@@ -75,10 +77,10 @@ class Pictures {
   std::array<PictureChoice, kBufferCount> choices_;
   std::array<ShownPicture, kBufferCount> now_, pinned_;
   std::array<Stage<ShownRange>, kBufferCount> ranges_;
-  Stage<Texture> reference_;
   std::array<Texture, kBufferCount> pinned_textures_;
   std::optional<Settings> pinned_settings_;
-  double reference_ms_;  ///< What the lines took last; long until it is known.
+  std::shared_ptr<const ReferenceLines> pinned_lines_;
+  ReferenceDesk reference_{source_};
 };
 
 }  // namespace inkbench

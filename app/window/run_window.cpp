@@ -126,7 +126,7 @@ void WindowLoop::wait() {
     frames_wanted_ = std::max(frames_wanted_, 1);
     wake_at_ = kNever;
   }
-  if (bench_.judge.take_news() || bench_.ladders.take_news()) frames_wanted_ = std::max(frames_wanted_, 2);
+  if (bench_.take_news()) frames_wanted_ = std::max(frames_wanted_, 2);
   if (seconds_now() >= next_poll_) {
     if (bench_.poll_files()) frames_wanted_ = std::max(frames_wanted_, 2);
     if (options_.drag_frames == 0) keeping_.autosave(bench_, seconds_now());

@@ -161,6 +161,7 @@ std::string state_text(const Workbench& bench) {
             {"pictures", pictures_of(bench, false)},
             {"pinned", pictures_of(bench, true)},
             {"layout", layout_of(bench.layout)},
+            {"finds_lines", bench.pictures.reference().is_busy()},
             {"prepares_levels", bench.ladders.is_busy()},
             {"judge", judge_of(bench.judge)},
             {"why", why_of(bench)},

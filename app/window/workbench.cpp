@@ -108,7 +108,7 @@ void Workbench::refresh() {
   if (failed_ == state) return;
   try {
     const bool hurry = is_editing() || frame_times.frames == 0;
-    pictures.refresh(target, wanted_buffers(), hurry, view.filled.value_or(view.selected));
+    pictures.refresh(target, wanted_buffers(), view.filled.value_or(view.selected));
     const bool judges = layout.show_inspector && layout.side_page == SidePage::judge;
     judge.refresh(pictures, target,
                   {judges || layout.overlay == Overlay::matches, layout.overlay == Overlay::reference},
@@ -124,6 +124,13 @@ void Workbench::refresh() {
     failed_ = state;
     set_problem(ProblemKind::drawing, error.what());
   }
+}
+
+bool Workbench::take_news() {
+  const bool lines = pictures.reference().take_news();
+  const bool measures = judge.take_news();
+  const bool levels = ladders.take_news();
+  return lines || measures || levels;
 }
 
 /// What the files that the settings name hold, or why they cannot be read.

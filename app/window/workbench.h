@@ -101,8 +101,10 @@ class Workbench {
 
   /// Once a frame, before the panels: brings the pictures that are looked at up to date.
   void refresh();
-  /// Whether something that is looked at waits for a frame without hurry.
-  bool has_late() const { return !failed_ && (pictures.has_late() || judge.is_late()); }
+  /// Whether something that is looked at waits for another frame.
+  bool has_late() const { return !failed_ && pictures.has_late(); }
+  /// Whether something made beside the window is there since the last call: a frame should show it.
+  bool take_news();
   /// Now and then: takes in edits of shaders, meshes and ramps on disk. Returns whether there were any.
   bool poll_files();
   /// Another number after each such edit.

@@ -1,6 +1,9 @@
 // Work beside the window, for the newest request: what waits is replaced. In: requests, as values. Out:
-// results, one at a time; the window never waits for one.
+// results, one at a time; the window never waits for one, and goes first where processors are few.
 #pragma once
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <condition_variable>
 #include <functional>
@@ -28,7 +31,10 @@ class LatestWorker {
       : work_(std::move(work)),
         gives_up_(when_newer == WhenNewer::give_up),
         on_done_(std::move(on_done)),
-        thread_([this] { serve(); }) {}
+        thread_([this] {
+          step_back();
+          serve();
+        }) {}
   LatestWorker(const LatestWorker&) = delete;
   LatestWorker& operator=(const LatestWorker&) = delete;
   /// Forgets what waits and waits only for the work to stop.
@@ -67,6 +73,12 @@ class LatestWorker {
   bool is_unwanted() const {
     const std::lock_guard lock(mutex_);
     return closing_ || (gives_up_ && waiting_.has_value());
+  }
+
+  /// On Linux each thread has a priority of its own.
+  static void step_back() {
+    constexpr int kNice = 10;
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
   }
 
   std::optional<Result> work_on(const Request& request) const {

@@ -115,13 +115,19 @@ void MeshStore::take_ladder(const Key& key, MeshLadder ladder) {
   ladder_key_ = key;
 }
 
-Mesh MeshStore::full_mesh(const ModelParams& model) {
-  const bool held = ladder_ && ladder_key_ == ladder_identity(model, ladder_->rounds());
-  return held ? ladder_->full() : make_model_mesh(model);
+std::shared_ptr<const Mesh> MeshStore::full_mesh(const ModelParams& model) {
+  return drawn_mesh(model, {});
 }
 
-Mesh MeshStore::drawn_mesh(const ModelParams& model, const MeshParams& level) {
-  if (level == MeshParams{}) return make_model_mesh(model);
+std::shared_ptr<const Mesh> MeshStore::drawn_mesh(const ModelParams& model, const MeshParams& level) {
+  const auto found = meshes_.find(identity(model, level));
+  return found != meshes_.end() ? found->second.mesh : make_mesh(model, level);
+}
+
+std::shared_ptr<const Mesh> MeshStore::make_mesh(const ModelParams& model, const MeshParams& level) {
+  const bool has_ladder = ladder_ && ladder_key_ == ladder_identity(model, ladder_->rounds());
+  if (level == MeshParams{})
+    return has_ladder ? ladder_->full() : std::make_shared<Mesh>(make_model_mesh(model));
   const Key key = ladder_identity(model, level.subdivide);
   if (!ladder_ || ladder_key_ != key) {
     ladder_.reset();  // before there are two
@@ -133,12 +139,13 @@ Mesh MeshStore::drawn_mesh(const ModelParams& model, const MeshParams& level) {
 const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level) {
   const Key key = identity(model, level);
   const auto found = meshes_.find(key);
-  if (found != meshes_.end()) return found->second;
-  const Mesh drawn = drawn_mesh(model, level);
-  for (const std::string& note : drawn.notes) log_note("model '" + model.name + "': " + note);
-  note_if_missed(model, level, drawn.triangles.size());
-  const Bounds placement = level == MeshParams{} ? bounds_of(drawn) : bounds_of(ladder_->full());
-  return meshes_.emplace(key, GpuMesh("mesh of " + model.name, drawn, placement)).first->second;
+  if (found != meshes_.end()) return found->second.gpu;
+  const std::shared_ptr<const Mesh> drawn = make_mesh(model, level);
+  for (const std::string& note : drawn->notes) log_note("model '" + model.name + "': " + note);
+  note_if_missed(model, level, drawn->triangles.size());
+  const Bounds placement = level == MeshParams{} ? bounds_of(*drawn) : bounds_of(*ladder_->full());
+  return meshes_.emplace(key, Held{drawn, GpuMesh("mesh of " + model.name, *drawn, placement)})
+      .first->second.gpu;
 }
 
 void MeshStore::keep_only(std::span<const Key> keys) {

@@ -1,7 +1,8 @@
-// Meshes on the GPU, loaded once for as long as the settings use them.
+// Meshes on the GPU and in memory, loaded once for as long as the settings use them.
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -52,10 +53,10 @@ class MeshStore {
   bool is_ready(const ModelParams& model, const MeshParams& level);
   /// Takes a ladder that was made elsewhere; `key` is its `ladder_identity`.
   void take_ladder(const Key& key, MeshLadder ladder);
-  /// The model's full mesh in memory.
-  Mesh full_mesh(const ModelParams& model);
+  /// The model's full mesh in memory; read where neither it nor its ladder is held.
+  std::shared_ptr<const Mesh> full_mesh(const ModelParams& model);
   /// The mesh that `get` draws, in memory.
-  Mesh drawn_mesh(const ModelParams& model, const MeshParams& level);
+  std::shared_ptr<const Mesh> drawn_mesh(const ModelParams& model, const MeshParams& level);
   /// Frees all meshes that are not among these.
   void keep_only(std::span<const Key> keys);
 
@@ -65,9 +66,14 @@ class MeshStore {
     Key content;
     bool is_gone = false;  ///< And that was told.
   };
+  struct Held {
+    std::shared_ptr<const Mesh> mesh;
+    GpuMesh gpu;
+  };
   Key content_key(const std::string& path);
+  std::shared_ptr<const Mesh> make_mesh(const ModelParams& model, const MeshParams& level);
 
-  std::map<Key, GpuMesh> meshes_;
+  std::map<Key, Held> meshes_;
   std::map<std::string, FileState> files_;
   std::optional<MeshLadder> ladder_;  ///< Of the model whose levels are asked for.
   Key ladder_key_;

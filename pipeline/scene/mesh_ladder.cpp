@@ -7,10 +7,12 @@
 namespace inkbench {
 
 MeshLadder::MeshLadder(const ModelParams& model, int rounds)
-    : rounds_(rounds), full_(make_model_mesh(model)), subdivided_(subdivide_mesh(full_, rounds)) {}
+    : rounds_(rounds),
+      full_(std::make_shared<Mesh>(make_model_mesh(model))),
+      subdivided_(rounds == 0 ? full_ : std::make_shared<Mesh>(subdivide_mesh(*full_, rounds))) {}
 
 bool MeshLadder::decimates(const MeshParams& level) const {
-  return level.faces > 0 && static_cast<size_t>(level.faces) < subdivided_.triangles.size();
+  return level.faces > 0 && static_cast<size_t>(level.faces) < subdivided_->triangles.size();
 }
 
 bool MeshLadder::is_ready_for(const MeshParams& level) const {
@@ -18,17 +20,19 @@ bool MeshLadder::is_ready_for(const MeshParams& level) const {
 }
 
 void MeshLadder::prepare(const MeshParams& level, const StopAsked& stop) {
-  if (!is_ready_for(level)) record_ = cached_collapse_record(subdivided_, stop);
+  if (!is_ready_for(level)) record_ = cached_collapse_record(*subdivided_, stop);
 }
 
-Mesh MeshLadder::level(const MeshParams& level) {
+std::shared_ptr<const Mesh> MeshLadder::level(const MeshParams& level) {
   if (decimates(level)) {
     prepare(level);
-    return level_with_normals(subdivided_, *record_, static_cast<size_t>(level.faces), level.normals);
+    return std::make_shared<Mesh>(
+        level_with_normals(*subdivided_, *record_, static_cast<size_t>(level.faces), level.normals));
   }
-  Mesh whole = subdivided_;
   // As loaded, smooth leaves the normals that a file may give.
-  if (level.normals != LevelNormals::smooth) apply_level_normals(whole, level.normals, full_);
+  if (level.normals == LevelNormals::smooth) return subdivided_;
+  auto whole = std::make_shared<Mesh>(*subdivided_);
+  apply_level_normals(*whole, level.normals, *full_);
   return whole;
 }
 

@@ -1,7 +1,9 @@
 // All levels of a model's mesh: the full mesh and, once a level is asked for, the record of its collapses.
-// In: a model's shape or file. Out: the mesh of any level, in milliseconds.
+// In: a model's shape or file. Out: the mesh of any level, in milliseconds. Meshes are shared, since they
+// live in more than one place and may be large.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "pipeline/base/stop.h"
@@ -18,20 +20,20 @@ class MeshLadder {
   MeshLadder(const ModelParams& model, int rounds);
 
   int rounds() const { return rounds_; }
-  const Mesh& full() const { return full_; }
+  const std::shared_ptr<const Mesh>& full() const { return full_; }
 
   /// Whether `level` gives a mesh at once; without, it first records the collapses: seconds for a large mesh.
   bool is_ready_for(const MeshParams& level) const;
   /// Makes it ready. Throws `Stopped`, which changes nothing, once `stop` says so.
   void prepare(const MeshParams& level, const StopAsked& stop = {});
   /// `level.subdivide` must be `rounds()`.
-  Mesh level(const MeshParams& level);
+  std::shared_ptr<const Mesh> level(const MeshParams& level);
 
  private:
   bool decimates(const MeshParams& level) const;
 
   int rounds_;
-  Mesh full_, subdivided_;
+  std::shared_ptr<const Mesh> full_, subdivided_;
   std::optional<CollapseRecord> record_;  ///< Of `subdivided_`.
 };
 

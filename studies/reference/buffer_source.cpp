@@ -1,7 +1,5 @@
 #include "studies/reference/buffer_source.h"
 
-#include <set>
-
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/export.h"
@@ -23,53 +21,34 @@ Settings exact(Settings settings) {
 
 }  // namespace
 
-BufferSource::Part BufferSource::part(const ModelParams& model, const MeshParams& level) {
-  MeshStore& meshes = pipeline_.meshes();
-  const Key full = full_key(meshes, model);
-  const Key drawn = meshes.identity(model, level);
-  if (!full_.contains(full)) {
-    const Mesh mesh = meshes.full_mesh(model);
-    MeshTopology topology = make_topology(mesh);
-    FeatureParams params;
-    for (int axis = 0; axis < 3; ++axis) params.stretch[axis][axis] = model.scale[axis];
-    full_.emplace(full, FullMesh{bounds_of(mesh), make_features(topology, params)});
-    if (level == MeshParams{})
-      drawn_.try_emplace(drawn, std::move(topology));  // the full mesh is what is drawn
-  }
-  if (!drawn_.contains(drawn)) drawn_.emplace(drawn, make_topology(meshes.drawn_mesh(model, level)));
-  return {&full_.at(full), &drawn_.at(drawn)};
-}
-
-void BufferSource::free_unused(const Settings& settings) {
-  std::set<Key> used;
-  for (size_t i = 0; i < settings.models.size(); ++i) {
-    if (!settings.models[i].visible) continue;
-    used.insert(full_key(pipeline_.meshes(), settings.models[i]));
-    used.insert(pipeline_.meshes().identity(settings.models[i], level_of(settings, i)));
-  }
-  std::erase_if(full_, [&](const auto& entry) { return !used.contains(entry.first); });
-  std::erase_if(drawn_, [&](const auto& entry) { return !used.contains(entry.first); });
-}
-
 Key BufferSource::reference_key(const Settings& settings) {
   return pipeline_.keys(exact(settings)).gbuffer;
 }
 
-const ReferenceLines& BufferSource::reference(const Settings& settings) {
+LineRequest BufferSource::line_request(const Settings& settings) {
   const Settings exact = inkbench::exact(settings);
-  return lines_.get(pipeline_.keys(exact).gbuffer, [&] {
-    free_unused(exact);
-    std::vector<SceneMesh> scene;
-    for (size_t i = 0; i < exact.models.size(); ++i) {
-      const ModelParams& model = exact.models[i];
-      if (!model.visible) continue;
-      const Part part = this->part(model, level_of(exact, i));
-      scene.push_back({part.drawn, model_matrix(model, part.full->bounds), static_cast<int>(i) + 1,
-                       &part.full->features});
-    }
-    const Image depth = pipeline_.raw(exact, BufferName::depth);
-    return reference_lines(scene, exact.camera, depth, pipeline_.raw(exact, BufferName::object_id));
-  });
+  MeshStore& meshes = pipeline_.meshes();
+  LineRequest request{.key = reference_key(settings), .camera = exact.camera};
+  request.depth = pipeline_.raw(exact, BufferName::depth);
+  request.object_id = pipeline_.raw(exact, BufferName::object_id);
+  for (size_t i = 0; i < exact.models.size(); ++i) {
+    const ModelParams& model = exact.models[i];
+    if (!model.visible) continue;
+    const MeshParams level = level_of(exact, i);
+    const bool is_full = level == MeshParams{};
+    std::shared_ptr<const Mesh> drawn = meshes.drawn_mesh(model, level);
+    request.models.push_back({.params = model,
+                              .object_id = static_cast<int>(i) + 1,
+                              .full = is_full ? drawn : meshes.full_mesh(model),
+                              .drawn = drawn,
+                              .full_key = full_key(meshes, model),
+                              .drawn_key = meshes.identity(model, level)});
+  }
+  return request;
+}
+
+const ReferenceLines& BufferSource::reference(const Settings& settings) {
+  return lines_.get(reference_key(settings), [&] { return finder_->find(line_request(settings)); });
 }
 
 Picture BufferSource::picture(const Settings& settings, BufferName buffer) {

@@ -3,12 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
+#include <memory>
 
 #include "pipeline/pipeline.h"
-#include "studies/reference/features.h"
-#include "studies/reference/reference_lines.h"
-#include "studies/reference/topology.h"
+#include "studies/reference/line_finder.h"
 
 namespace inkbench {
 
@@ -31,23 +29,17 @@ class BufferSource {
   /// Decides what `reference` gives.
   Key reference_key(const Settings& settings);
 
+  /// What `reference` finds its lines from, for finding them on another thread. Errors: as `Pipeline::raw`.
+  LineRequest line_request(const Settings& settings);
+
+  /// What `reference` finds its lines with.
+  const std::shared_ptr<LineFinder>& finder() const { return finder_; }
+
   Pipeline& pipeline() { return pipeline_; }
 
  private:
-  struct FullMesh {
-    Bounds bounds;
-    MeshFeatures features;
-  };
-  struct Part {
-    const FullMesh* full;
-    const MeshTopology* drawn;
-  };
-  Part part(const ModelParams& model, const MeshParams& level);
-  void free_unused(const Settings& settings);
-
   Pipeline& pipeline_;
-  std::map<Key, FullMesh> full_;
-  std::map<Key, MeshTopology> drawn_;
+  std::shared_ptr<LineFinder> finder_ = std::make_shared<LineFinder>();
   Stage<ReferenceLines> lines_;
 };
 

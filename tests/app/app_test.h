@@ -39,7 +39,7 @@ class AppTest : public testing::Test {
   /// Waits until `holds` is true of the state, which is returned. Throws after 20 s, or when the
   /// program has ended.
   Json wait_for(const std::string& what, const std::function<bool(const Json&)>& holds);
-  /// Waits until nothing has changed for a moment.
+  /// Waits until nothing has changed for a moment and no reference lines are being found.
   Json settled();
 
   std::string parameter(const Json& state, const std::string& key) const {

@@ -75,6 +75,19 @@ TEST_F(AppView, alt_drag_turns_the_camera_about_its_target) {
   EXPECT_EQ(after["view"]["zoom"], 1.0) << "the view stays";
 }
 
+TEST_F(AppView, reference_lines_follow_the_camera_while_it_is_held) {
+  open();
+  const Json before = state();
+  const Place at = place("tile:final");
+  input({"keydown", "alt", "mousemove", std::to_string(at.x), std::to_string(at.y), "mousedown", "1",
+         "mousemove", std::to_string(at.x + 24), std::to_string(at.y - 6)});
+  const Json held = wait_for("other lines", [&](const Json& now) {
+    return !now["finds_lines"].get<bool>() && now["pictures"]["reference"] != before["pictures"]["reference"];
+  });
+  input({"mouseup", "1", "keyup", "alt"});
+  EXPECT_EQ(settled()["pictures"]["reference"], held["pictures"]["reference"]);
+}
+
 TEST_F(AppView, pinned_state_stays_while_now_changes_and_space_flips) {
   open();
   keys("p");

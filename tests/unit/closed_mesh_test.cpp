@@ -39,6 +39,19 @@ TEST(ClosedMesh, one_missing_or_turned_face_opens_it) {
   EXPECT_FALSE(is_closed_outwards(turned));
 }
 
+TEST(ClosedMesh, two_sheets_on_the_same_edges_are_not) {
+  EXPECT_FALSE(is_closed_outwards(joined(make_sphere(8), make_sphere(8), {0, 0, 0})));
+}
+
+TEST(ClosedMesh, a_face_without_area_between_two_equal_points_opens_nothing) {
+  Mesh sphere = make_sphere(8);
+  const auto twin = static_cast<uint32_t>(sphere.positions.size());
+  const auto [a, b, c] = sphere.triangles[5];
+  sphere.positions.push_back(sphere.positions[a]);
+  sphere.triangles.push_back({a, twin, b});
+  EXPECT_TRUE(is_closed_outwards(sphere));
+}
+
 TEST(ClosedMesh, every_part_must_face_outwards) {
   EXPECT_TRUE(is_closed_outwards(joined(make_sphere(8), make_box(1), {5, 0, 0})));
   EXPECT_FALSE(is_closed_outwards(joined(make_sphere(16), make_inside_out_sphere(8), {0.1F, 0, 0})));

@@ -1,0 +1,31 @@
+// Finds the reference lines beside the window: the newest request wins, and the window never waits. In: what
+// the lines are found from, as plain data. Out: the lines and pictures of them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/workbench/latest_worker.h"
+#include "pipeline/image/image.h"
+#include "studies/reference/line_finder.h"
+
+namespace inkbench {
+
+struct FoundLines {
+  Key key;            ///< The request's.
+  std::string error;  ///< Why there is nothing else; "" as a rule.
+  std::shared_ptr<const ReferenceLines> lines;
+  Picture picture;  ///< H x W x 3, as `draw_reference`.
+  Picture overlay;  ///< H x W x 4: the same, clear where there is no line.
+};
+
+FoundLines with_pictures(const Key& key, std::shared_ptr<const ReferenceLines> lines);
+
+/// Lines in work are finished when a newer request comes: while the camera moves they follow it.
+class LiveReference : public LatestWorker<LineRequest, FoundLines> {
+ public:
+  LiveReference(std::shared_ptr<LineFinder> finder, std::function<void()> on_done);
+};
+
+}  // namespace inkbench
