@@ -141,6 +141,18 @@ void draw_recall(const Judgement& now, const Judgement* then) {
   }
 }
 
+/// Of a level of the mesh: which part of a loss is the geometry's.
+void draw_ladder(const Judgement& now, const Judgement* then) {
+  if (!now.ladder) return;
+  heading("Against the full mesh");
+  for (const LadderMeasureInfo& info : ladder_measure_list()) {
+    Row row{info.key, info.help, info.value(*now.ladder)};
+    if (then != nullptr && then->ladder) row.then = info.value(*then->ladder);
+    row.more_is_better = info.more_is_better;
+    draw_row(row, then != nullptr);
+  }
+}
+
 void draw_others(const Judgement& now, const Judgement* then) {
   heading("All measures");
   for (const MeasureInfo& info : measure_list()) {
@@ -198,6 +210,7 @@ void JudgeView::draw(Workbench& bench) {
   }
   if (then != nullptr && (!then->error.empty() || then->measures.empty)) then = nullptr;
   draw_shares(*now, then);
+  draw_ladder(*now, then);
   draw_recall(*now, then);
   draw_others(*now, then);
 }

@@ -32,15 +32,16 @@ JudgeDesk::JudgeDesk()
         wake_window();
       }) {}
 
-void JudgeDesk::refresh_measures(Pipeline& pipeline, const Settings& settings, const FoundLines& lines) {
-  const Key key = edges_key(pipeline, settings, lines.key);
+void JudgeDesk::refresh_measures(Pipeline& pipeline, const Settings& settings, const FoundLines& lines,
+                                 const FullView& full) {
+  const Key key = KeyBuilder().add(edges_key(pipeline, settings, lines.key)).add(full.key).key();
   if (key == asked_) {
     behind_ = !now_ || now_->id != last_id_;
     return;
   }
   behind_ = true;
   if (judge_.is_busy()) return;  // the newest settings are asked for when it is done
-  judge_.submit({.id = ++last_id_, .view = view_of(pipeline, settings, lines.lines)});
+  judge_.submit({.id = ++last_id_, .view = view_of(pipeline, settings, lines.lines), .full = full.view});
   asked_ = key;
 }
 
@@ -65,16 +66,24 @@ void JudgeDesk::take_results() {
 
 void JudgeDesk::refresh(Pictures& pictures, const Settings& settings, Wanted wanted, bool hurry) {
   take_results();
+  if (!wanted.measures) full_mesh_.forget();
   if (!wanted.lines && !wanted.measures) return;
   ReferenceDesk& reference = pictures.reference();
   reference.refresh(settings);
   if (!wanted.measures) return;
+  const FullView full = full_mesh_.refresh(pictures.source(), settings, hurry);
   if (reference.is_behind()) {
     behind_ = true;
   } else {
-    refresh_measures(pictures.pipeline(), settings, *reference.now());
+    refresh_measures(pictures.pipeline(), settings, *reference.now(), full);
+    behind_ |= full_mesh_.is_behind();
   }
   if (!hurry) refresh_pinned(pictures);
+}
+
+bool JudgeDesk::take_news() {
+  const bool lines = full_mesh_.take_news();
+  return news_.exchange(false) || lines;
 }
 
 TileOverlay JudgeDesk::overlay(Overlay kind, ReferenceDesk& reference) {

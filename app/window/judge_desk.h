@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/window/full_mesh_desk.h"
 #include "app/window/pictures.h"
 #include "app/window/tile.h"
 #include "app/workbench/live_judge.h"
@@ -34,13 +35,14 @@ class JudgeDesk {
   /// Whether `now` is of other settings than the last ones seen.
   bool is_behind() const { return behind_; }
   /// Whether there are new measures since the last call: a frame should show them.
-  bool take_news() { return news_.exchange(false); }
+  bool take_news();
 
   /// The lines to lay over pictures of the present settings; none where there are none yet.
   TileOverlay overlay(Overlay kind, ReferenceDesk& reference);
 
  private:
-  void refresh_measures(Pipeline& pipeline, const Settings& settings, const FoundLines& lines);
+  void refresh_measures(Pipeline& pipeline, const Settings& settings, const FoundLines& lines,
+                        const FullView& full);
   void refresh_pinned(Pictures& pictures);
   void take_results();
 
@@ -48,6 +50,7 @@ class JudgeDesk {
   uint64_t last_id_ = 0;
   bool behind_ = false;
   std::optional<Judgement> now_, pinned_;
+  FullMeshDesk full_mesh_;
   Stage<Texture> matches_;
   std::atomic<bool> news_ = false;
   LiveJudge judge_, pinned_judge_;  ///< Last: their threads write `news_`.

@@ -44,6 +44,11 @@ Json judgement_of(const Judgement* judgement) {
     const std::optional<double>& recall = judgement->recall[i];
     json["recall_" + std::string(kLineClassNames[i])] = recall ? Json(*recall) : Json(nullptr);
   }
+  if (!judgement->ladder) return json;
+  for (const LadderMeasureInfo& info : ladder_measure_list()) {
+    const std::optional<double> value = info.value(*judgement->ladder);
+    json[std::string(info.key)] = value ? Json(*value) : Json(nullptr);
+  }
   return json;
 }
 

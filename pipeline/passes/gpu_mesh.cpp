@@ -144,8 +144,20 @@ const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level)
   for (const std::string& note : drawn->notes) log_note("model '" + model.name + "': " + note);
   note_if_missed(model, level, drawn->triangles.size());
   const Bounds placement = level == MeshParams{} ? bounds_of(*drawn) : bounds_of(*ladder_->full());
-  return meshes_.emplace(key, Held{drawn, GpuMesh("mesh of " + model.name, *drawn, placement)})
-      .first->second.gpu;
+  return hold(key, model, drawn, placement);
+}
+
+const GpuMesh& MeshStore::hold(const Key& key, const ModelParams& model, std::shared_ptr<const Mesh> mesh,
+                               const Bounds& placement) {
+  GpuMesh gpu("mesh of " + model.name, *mesh, placement);
+  return meshes_.emplace(key, Held{std::move(mesh), std::move(gpu)}).first->second.gpu;
+}
+
+void MeshStore::share_full(MeshStore& other, const ModelParams& model) {
+  const Key key = identity(model, {});
+  if (meshes_.contains(key)) return;
+  const std::shared_ptr<const Mesh> mesh = other.full_mesh(model);
+  hold(key, model, mesh, bounds_of(*mesh));
 }
 
 void MeshStore::keep_only(std::span<const Key> keys) {

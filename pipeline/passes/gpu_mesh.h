@@ -55,6 +55,8 @@ class MeshStore {
   void take_ladder(const Key& key, MeshLadder ladder);
   /// The model's full mesh in memory; read where neither it nor its ladder is held.
   std::shared_ptr<const Mesh> full_mesh(const ModelParams& model);
+  /// Takes the model's full mesh from another store, so that it is not read twice.
+  void share_full(MeshStore& other, const ModelParams& model);
   /// The mesh that `get` draws, in memory.
   std::shared_ptr<const Mesh> drawn_mesh(const ModelParams& model, const MeshParams& level);
   /// Frees all meshes that are not among these.
@@ -71,6 +73,8 @@ class MeshStore {
     GpuMesh gpu;
   };
   Key content_key(const std::string& path);
+  const GpuMesh& hold(const Key& key, const ModelParams& model, std::shared_ptr<const Mesh> mesh,
+                      const Bounds& placement);
   std::shared_ptr<const Mesh> make_mesh(const ModelParams& model, const MeshParams& level);
 
   std::map<Key, Held> meshes_;

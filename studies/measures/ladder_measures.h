@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "studies/measures/line_map.h"
 #include "studies/measures/tally.h"
@@ -50,5 +52,15 @@ struct LadderMeasures {
 };
 
 LadderMeasures measures_of(const LadderTally& ladder, const InnerTally& inner);
+
+/// One of them by the name under which data.csv gives it.
+struct LadderMeasureInfo {
+  std::string_view key;
+  std::string_view help;
+  bool more_is_better = true;
+  std::optional<double> (*value)(const LadderMeasures&) = nullptr;
+};
+
+std::span<const LadderMeasureInfo> ladder_measure_list();
 
 }  // namespace inkbench

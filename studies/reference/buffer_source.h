@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "pipeline/pipeline.h"
 #include "studies/reference/line_finder.h"
@@ -12,8 +13,10 @@ namespace inkbench {
 
 class BufferSource {
  public:
-  /// The pipeline must outlive it.
-  explicit BufferSource(Pipeline& pipeline) : pipeline_(pipeline) {}
+  /// The pipeline must outlive it. A finder that another source uses too keeps what both need once.
+  explicit BufferSource(Pipeline& pipeline,
+                        std::shared_ptr<LineFinder> finder = std::make_shared<LineFinder>())
+      : pipeline_(pipeline), finder_(std::move(finder)) {}
 
   /// H x W x 3. Errors: as `Pipeline::picture`.
   Picture picture(const Settings& settings, BufferName buffer);
@@ -39,7 +42,7 @@ class BufferSource {
 
  private:
   Pipeline& pipeline_;
-  std::shared_ptr<LineFinder> finder_ = std::make_shared<LineFinder>();
+  std::shared_ptr<LineFinder> finder_;
   Stage<ReferenceLines> lines_;
 };
 

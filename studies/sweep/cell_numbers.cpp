@@ -23,11 +23,9 @@ Texts measure_texts(const CellTally& tally) {
   const LadderMeasures ladder = measures_of(tally.ladder, tally.inner);
   Texts texts{{"empty", measures.empty ? "true" : "false"},
               {"faces", std::to_string(tally.faces)},
-              {"f1_detector", shortest(measures.f1)},
-              {"f1_geometry", shortest(ladder.f1_geometry)},
-              {"f1_end_to_end", shortest(ladder.f1_end_to_end)},
-              {"internal_kept", optional_text(ladder.internal_kept)},
-              {"internal_new", optional_text(ladder.internal_new)}};
+              {"f1_detector", shortest(measures.f1)}};
+  for (const LadderMeasureInfo& info : ladder_measure_list())
+    texts.emplace(info.key, optional_text(info.value(ladder)));
   for (const MeasureInfo& info : measure_list()) texts.emplace(info.key, measure_text(info, measures));
   for (size_t i = 0; i < kLineClasses.size(); ++i) {
     texts.emplace("recall_" + std::string(kLineClassNames[i]), optional_text(tally.recall[i].share()));

@@ -1,5 +1,6 @@
 #include "studies/sweep/number_columns.h"
 
+#include "studies/measures/ladder_measures.h"
 #include "studies/measures/measures.h"
 #include "studies/reference/lines.h"
 #include "studies/sweep/spec.h"
@@ -13,9 +14,8 @@ std::vector<std::string> known_measures() {
   }
   for (const std::string_view line_class : kLineClassNames)
     names.push_back("recall_" + std::string(line_class));
-  for (const char* name : {"f1_detector", "f1_geometry", "f1_end_to_end", "internal_kept", "internal_new"}) {
-    names.emplace_back(name);
-  }
+  names.emplace_back("f1_detector");
+  for (const LadderMeasureInfo& info : ladder_measure_list()) names.emplace_back(info.key);
   return names;
 }
 

@@ -30,11 +30,12 @@ class AppJudge : public AppTest {
   }
 
   /// data.csv of a study of the same scene: a row's values by column.
-  std::vector<std::map<std::string, std::string>> study_rows(const std::string& values) {
+  std::vector<std::map<std::string, std::string>> study_rows(const std::string& key,
+                                                             const std::string& values) {
     write("study.toml",
           "title = \"Same\"\npurpose = \"The same numbers\"\nscene = \"scene.toml\"\nsize = [96, 96]\n"
-          "show = [\"final\"]\nmeasure = true\n[[axis]]\nkey = \"combine.k_normal\"\nvalues = " +
-              values + "\n");
+          "show = [\"final\"]\nmeasure = true\n[[axis]]\nkey = \"" +
+              key + "\"\nvalues = " + values + "\n");
     CommandOptions options;
     options.environment = environment_;
     const CommandResult result = run_command(
@@ -82,11 +83,34 @@ TEST_F(AppJudge, measures_equal_those_of_a_study_to_the_last_digit) {
   const Json first = open_judge();
   set_number("combine.k_normal", "0.4");
   const Json second = measured();
-  const auto rows = study_rows("[0.0125, 0.4]");
+  const auto rows = study_rows("combine.k_normal", "[0.0125, 0.4]");
   ASSERT_EQ(rows.size(), 2U);
   expect_same(first["judge"]["now"], rows[0]);
   expect_same(second["judge"]["now"], rows[1]);
   EXPECT_NE(first["judge"]["now"]["ink"], second["judge"]["now"]["ink"]);
+}
+
+TEST_F(AppJudge, level_is_judged_against_the_full_mesh_as_in_a_study) {
+  const Json full = open_judge();
+  EXPECT_FALSE(full["judge"]["now"].contains("f1_geometry"));
+  set_number("mesh.faces", "120");
+  const auto has_ladder = [](const Json& now) {
+    return now["judge"]["now"].contains("f1_geometry") && now["judge"]["behind"] == false;
+  };
+  const Json coarse = wait_for("the full mesh's lines", has_ladder);
+  set_number("combine.k_normal", "0.4");
+  const Json other_k = wait_for("other measures", [&](const Json& now) {
+    return has_ladder(now) && now["judge"]["now"] != coarse["judge"]["now"];
+  });
+  const auto rows = study_rows("mesh.faces", "[120]");
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].at("faces"), "120");
+  expect_same(coarse["judge"]["now"], rows[0]);
+  EXPECT_LT(coarse["judge"]["now"]["f1_geometry"], 1.0);
+  EXPECT_EQ(other_k["judge"]["now"]["f1_geometry"], coarse["judge"]["now"]["f1_geometry"]);
+  EXPECT_EQ(runs(other_k, "gbuffer"), runs(coarse, "gbuffer")) << "the full mesh has passes of its own";
+  set_number("mesh.faces", "0");
+  EXPECT_FALSE(measured()["judge"]["now"].contains("f1_geometry"));
 }
 
 TEST_F(AppJudge, pinned_state_keeps_its_measures) {

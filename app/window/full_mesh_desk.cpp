@@ -1,0 +1,40 @@
+#include "app/window/full_mesh_desk.h"
+
+namespace inkbench {
+
+void FullMeshDesk::forget() {
+  own_.reset();
+  edges_.forget();
+  behind_ = false;
+}
+
+bool FullMeshDesk::refresh_lines(const Settings& full, bool hurry) {
+  ReferenceDesk& reference = own_->reference;
+  const bool is_other =
+      reference.now() == nullptr || reference.now()->key != own_->source.reference_key(full);
+  if (is_other && hurry) return false;
+  reference.refresh(full);
+  return !reference.is_behind();
+}
+
+FullView FullMeshDesk::refresh(BufferSource& source, const Settings& settings, bool hurry) {
+  if (settings.mesh == MeshParams{}) {
+    forget();
+    return {};
+  }
+  if (!own_) own_ = std::make_unique<Own>(source.finder());
+  Settings full = settings;
+  full.mesh = {};
+  for (const ModelParams& model : full.models) {
+    if (model.visible) own_->pipeline.meshes().share_full(source.pipeline().meshes(), model);
+  }
+  behind_ = !refresh_lines(full, hurry);
+  if (behind_) return {};
+  const Key key = own_->pipeline.buffer_key(full, BufferName::combined_edges);
+  const auto& edges = edges_.get(key, [&] {
+    return std::make_shared<const Image>(own_->pipeline.raw(full, BufferName::combined_edges));
+  });
+  return {{edges, own_->reference.now()->lines}, KeyBuilder().add(key).add(own_->reference.now()->key).key()};
+}
+
+}  // namespace inkbench

@@ -1,0 +1,49 @@
+// What the full mesh gives under the same settings, for judging a level of it. In: the settings, once a
+// frame. Out: the full mesh's edges and reference lines. They come from passes of their own, so that the
+// window's are not run again.
+#pragma once
+
+#include <memory>
+
+#include "app/window/reference_desk.h"
+#include "app/workbench/live_judge.h"
+#include "pipeline/pipeline.h"
+#include "studies/reference/buffer_source.h"
+
+namespace inkbench {
+
+/// What a level is judged against; `view` is empty where there is nothing (yet).
+struct FullView {
+  JudgedView view;
+  Key key;
+};
+
+class FullMeshDesk {
+ public:
+  /// The view of `source`'s scene with the full mesh; none where the settings draw the full mesh, and none of
+  /// another camera or scene while something is dragged (`hurry`). Errors (input, work): as
+  /// `Pictures::refresh`.
+  FullView refresh(BufferSource& source, const Settings& settings, bool hurry);
+  /// Frees what nobody looks at.
+  void forget();
+
+  /// Whether `refresh` gave nothing because it is still being made.
+  bool is_behind() const { return behind_; }
+  /// Whether there are new lines since the last call.
+  bool take_news() { return own_ && own_->reference.take_news(); }
+
+ private:
+  struct Own {
+    explicit Own(const std::shared_ptr<LineFinder>& finder) : source(pipeline, finder) {}
+    Pipeline pipeline;
+    BufferSource source;
+    ReferenceDesk reference{source};
+  };
+  bool refresh_lines(const Settings& full, bool hurry);
+
+  std::unique_ptr<Own> own_;
+  Stage<std::shared_ptr<const Image>> edges_;
+  bool behind_ = false;
+};
+
+}  // namespace inkbench
