@@ -66,7 +66,7 @@ class Window:
         last, since = None, time.monotonic()
         while time.monotonic() - since < 1.0:
             now = self.state_file.read_text()
-            if now != last:
+            if now != last or self.state()["finds_lines"]:
                 last, since = now, time.monotonic()
             time.sleep(0.05)
 

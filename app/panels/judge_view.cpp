@@ -185,10 +185,10 @@ void JudgeView::draw_state(Workbench& bench) {
   const bool waits = behind_since_ >= 0.0 && (time - behind_since_ > kPatience || judge.now() == nullptr);
   if (judge.is_behind() && !waits) bench.wake_in(kPatience);
   std::string text;
-  if (judge.now() != nullptr) text = fmt::format("measured in {:.0f} ms", 1e3 * judge.now()->seconds);
+  if (judge.now() != nullptr) text = fmt::format("{:.0f} ms", 1e3 * judge.now()->seconds);
   if (waits) text = "measuring…";
   if (judge.pinned() != nullptr)
-    text += is_same_view(bench) ? "; changes since the pin" : "; the pin is of another view";
+    text += is_same_view(bench) ? ", changes since the pin" : ", the pin is of another view";
   fitted_text(text, ImGui::GetContentRegionAvail().x, theme().faint);
   ImGui::Dummy({0, scaled(1)});
 }

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <cmath>
+
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
@@ -14,8 +16,12 @@ bool is_number(const Field& field) {
   return field.type == FieldType::integer || field.type == FieldType::real || field.type == FieldType::vector;
 }
 
+std::string limit_text(const Field& field, double limit) {
+  return field.type == FieldType::integer ? with_commas(std::llround(limit)) : shortest(limit);
+}
+
 std::string limits_text(const Field& field) {
-  std::string text = shortest(field.limits.low) + " to " + shortest(field.limits.high);
+  std::string text = limit_text(field, field.limits.low) + " to " + limit_text(field, field.limits.high);
   if (!field.unit.empty()) text += " " + std::string(field.unit);
   return text;
 }

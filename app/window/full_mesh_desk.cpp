@@ -3,6 +3,7 @@
 namespace inkbench {
 
 void FullMeshDesk::forget() {
+  if (own_ && own_->reference.is_busy()) return;  // the end of its work would be waited for
   own_.reset();
   edges_.forget();
   behind_ = false;

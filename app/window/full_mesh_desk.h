@@ -24,7 +24,7 @@ class FullMeshDesk {
   /// another camera or scene while something is dragged (`hurry`). Errors (input, work): as
   /// `Pictures::refresh`.
   FullView refresh(BufferSource& source, const Settings& settings, bool hurry);
-  /// Frees what nobody looks at.
+  /// Frees what nobody looks at; to be called again while lines are being found.
   void forget();
 
   /// Whether `refresh` gave nothing because it is still being made.
