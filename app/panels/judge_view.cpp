@@ -185,7 +185,9 @@ void JudgeView::draw_state(Workbench& bench) {
   const bool waits = behind_since_ >= 0.0 && (time - behind_since_ > kPatience || judge.now() == nullptr);
   if (judge.is_behind() && !waits) bench.wake_in(kPatience);
   std::string text;
-  if (judge.now() != nullptr) text = fmt::format("{:.0f} ms", 1e3 * judge.now()->seconds);
+  if (judge.now() != nullptr)
+    text = fmt::format("{}{:.0f} ms", judge.pinned() == nullptr ? "measured in " : "",
+                       1e3 * judge.now()->seconds);
   if (waits) text = "measuring…";
   if (judge.pinned() != nullptr)
     text += is_same_view(bench) ? ", changes since the pin" : ", the pin is of another view";

@@ -49,9 +49,13 @@ bool Workbench::take_over(const Settings& next, const std::filesystem::path& sce
 }
 
 void Workbench::take_mesh(const OpenedFile& file) {
-  load_mesh_file(file.path);  // a mesh that cannot be read is told before anything changes
+  // A mesh that cannot be read is told before anything changes.
+  const auto mesh = std::make_shared<Mesh>(load_mesh_file(file.path));
   Settings next = settings();
   replace_main_mesh(next, file.path);
+  const ModelParams& model = main_model(next);
+  for (const std::string& note : mesh->notes) tell(Severity::note, "model '" + model.name + "': " + note);
+  pictures.pipeline().meshes().take_full(model, mesh);
   history_.record(std::move(next), opening(file));
   ++revision_;
 }

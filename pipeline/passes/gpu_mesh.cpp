@@ -153,11 +153,14 @@ const GpuMesh& MeshStore::hold(const Key& key, const ModelParams& model, std::sh
   return meshes_.emplace(key, Held{std::move(mesh), std::move(gpu)}).first->second.gpu;
 }
 
-void MeshStore::share_full(MeshStore& other, const ModelParams& model) {
+void MeshStore::take_full(const ModelParams& model, std::shared_ptr<const Mesh> mesh) {
+  const Bounds placement = bounds_of(*mesh);
   const Key key = identity(model, {});
-  if (meshes_.contains(key)) return;
-  const std::shared_ptr<const Mesh> mesh = other.full_mesh(model);
-  hold(key, model, mesh, bounds_of(*mesh));
+  if (!meshes_.contains(key)) hold(key, model, std::move(mesh), placement);
+}
+
+void MeshStore::share_full(MeshStore& other, const ModelParams& model) {
+  if (!meshes_.contains(identity(model, {}))) take_full(model, other.full_mesh(model));
 }
 
 void MeshStore::keep_only(std::span<const Key> keys) {

@@ -55,7 +55,9 @@ class MeshStore {
   void take_ladder(const Key& key, MeshLadder ladder);
   /// The model's full mesh in memory; read where neither it nor its ladder is held.
   std::shared_ptr<const Mesh> full_mesh(const ModelParams& model);
-  /// Takes the model's full mesh from another store, so that it is not read twice.
+  /// Takes the model's full mesh, or another store's of it, so that it is not read twice. What is not drawn
+  /// next is forgotten.
+  void take_full(const ModelParams& model, std::shared_ptr<const Mesh> mesh);
   void share_full(MeshStore& other, const ModelParams& model);
   /// The mesh that `get` draws, in memory.
   std::shared_ptr<const Mesh> drawn_mesh(const ModelParams& model, const MeshParams& level);
