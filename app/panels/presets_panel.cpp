@@ -7,7 +7,6 @@
 
 #include "app/panels/attempt.h"
 #include "app/panels/widgets.h"
-#include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "app/workbench/scene_base.h"
 #include "pipeline/base/error.h"

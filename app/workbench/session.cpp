@@ -4,7 +4,6 @@
 
 #include "app/workbench/scene_base.h"
 #include "app/workbench/unknown_entries.h"
-#include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
 #include "pipeline/params/toml_reader.h"
