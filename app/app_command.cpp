@@ -4,7 +4,6 @@
 #include "app/commands.h"
 #include "app/size_option.h"
 #include "app/window/run_window.h"
-#include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/scene/settings_file.h"
 

@@ -4,7 +4,6 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/gl/context.h"
-#include "pipeline/image/image_file.h"
 #include "pipeline/mesh/mesh_file.h"
 
 namespace inkbench {

@@ -13,7 +13,6 @@
 #include "pipeline/scene/replace_mesh.h"
 #include "pipeline/scene/settings_file.h"
 #include "studies/reference/buffer_source.h"
-#include "studies/reference/drawing.h"
 
 namespace inkbench {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/panels/picture_tile.h"
-#include "app/panels/widgets.h"
 #include "app/window/theme.h"
 
 namespace inkbench {

@@ -1,6 +1,5 @@
 #include "app/panels/contact_sheet.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -12,7 +11,6 @@
 #include "app/panels/picture_menu.h"
 #include "app/panels/picture_tile.h"
 #include "app/panels/widgets.h"
-#include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "pipeline/base/text.h"
 

@@ -10,6 +10,7 @@
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/text.h"
 
 namespace inkbench {
 namespace {
@@ -155,7 +156,7 @@ void FileChooser::draw_entry(Workbench& bench, size_t index) {
                    width - scaled(4), entry.is_folder ? theme().accent : theme().text, text);
   ImGui::NewLine();
   ImGui::TableNextColumn();
-  if (!entry.is_folder) faint_text(size_text(entry.bytes));
+  if (!entry.is_folder) faint_text(readable_bytes(static_cast<double>(entry.bytes)));
   ImGui::PopID();
   if (pressed) selected_ = index;
   if (pressed && question_.saves && !entry.is_folder) question_.name = entry.name;

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "app/panels/attempt.h"
 #include "app/panels/widgets.h"
 #include "app/window/theme.h"
 #include "app/workbench/render_command.h"
@@ -21,17 +22,6 @@ constexpr std::array<std::string_view, 14> kOpened{".toml", ".obj", ".ply",  ".o
 
 BufferName looked_at(const Workbench& bench) {
   return bench.view.filled.value_or(bench.view.selected);
-}
-
-/// Runs what writes or reads files; what goes wrong is told.
-template <class Work>
-void guarded(Workbench& bench, const Work& work) {
-  bench.dismiss(ProblemKind::input);
-  try {
-    work();
-  } catch (const Error& error) {
-    bench.set_problem(ProblemKind::input, error.what());
-  }
 }
 
 void write_settings(Workbench& bench, const fs::path& path) {
@@ -137,9 +127,9 @@ void FileDialogs::draw_image_choice(Workbench& bench) {
 
 void FileDialogs::finish(Workbench& bench, fs::path path) {
   if (dialog_ == FileDialog::open) return bench.open(path.string());
-  if (dialog_ == FileDialog::save_settings)
-    return guarded(bench, [&] { write_settings(bench, with_ending(path, ".toml", {".toml"})); });
-  guarded(bench, [&] {
+  attempt(bench, [&] {
+    if (dialog_ == FileDialog::save_settings)
+      return write_settings(bench, with_ending(path, ".toml", {".toml"}));
     path = with_ending(path, ".png", {".png", ".exr", ".svg"});
     write_buffer(bench.pictures.source(), bench.settings(), buffer_, path);
     image_folder_ = path.parent_path();
@@ -161,11 +151,11 @@ void save_settings(Workbench& bench) {
     bench.wanted_dialog = FileDialog::save_settings;
     return;
   }
-  guarded(bench, [&] { write_settings(bench, bench.scene()); });
+  attempt(bench, [&] { write_settings(bench, bench.scene()); });
 }
 
 void copy_render_command(Workbench& bench) {
-  guarded(bench, [&] {
+  attempt(bench, [&] {
     const RenderCommand command = render_command(bench.settings(), bench.scene(), {looked_at(bench)});
     ImGui::SetClipboardText(command.text.c_str());
     bench.tell(Severity::note, "copied: " + command.text);
@@ -180,12 +170,12 @@ void copy_settings(Workbench& bench) {
 void paste(Workbench& bench) {
   const char* held = ImGui::GetClipboardText();
   const std::string text = held == nullptr ? "" : held;
-  guarded(bench, [&] {
-    std::error_code error;
-    const fs::path folder = fs::current_path(error);
-    const fs::path path = path_from_text(text.substr(0, text.find('\n')), folder);
-    const bool is_path = !path.empty() && text.size() < 4096 && fs::exists(path, error);
-    if (is_path) return bench.open(path.string());
+  std::error_code error;
+  const fs::path folder = fs::current_path(error);
+  const fs::path path = path_from_text(text.substr(0, text.find('\n')), folder);
+  const bool is_path = !path.empty() && text.size() < 4096 && fs::exists(path, error);
+  if (is_path) return bench.open(path.string());
+  attempt(bench, [&] {
     if (text.find('=') == std::string::npos)
       throw input_error("the clipboard", "holds neither a file's path nor settings",
                         "copy settings with Edit > Copy settings, or a path");

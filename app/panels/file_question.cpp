@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/panels/attempt.h"
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
-#include "pipeline/base/error.h"
 
 namespace inkbench {
 namespace {
@@ -30,13 +30,7 @@ void FileQuestion::ask(const std::string& title, const std::string& hint, const 
 
 void FileQuestion::close_with(Workbench& bench, bool accepted) {
   ImGui::CloseCurrentPopup();
-  if (!accepted || path_.empty()) return;
-  try {
-    answer_(path_);
-    bench.dismiss(ProblemKind::input);
-  } catch (const Error& error) {
-    bench.set_problem(ProblemKind::input, error.what());
-  }
+  if (accepted && !path_.empty()) attempt(bench, [&] { answer_(path_); });
 }
 
 void FileQuestion::draw(Workbench& bench) {

@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 
-#include "app/panels/value_bar.h"
 #include "app/panels/widgets.h"
 #include "app/window/theme.h"
 #include "pipeline/base/error.h"

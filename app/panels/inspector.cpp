@@ -12,7 +12,6 @@
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "pipeline/base/error.h"
-#include "pipeline/scene/settings_file.h"
 
 namespace inkbench {
 namespace {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 

@@ -4,7 +4,6 @@
 #include <imgui_stdlib.h>
 
 #include "app/panels/widgets.h"
-#include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "app/workbench/place_in_text.h"
 

@@ -1,8 +1,6 @@
 // The pixel that is asked about: marking it with the mouse, moving it with the keys, showing it on a picture.
 #pragma once
 
-#include <imgui.h>
-
 #include "app/window/workbench.h"
 
 namespace inkbench {

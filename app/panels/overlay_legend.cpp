@@ -1,7 +1,5 @@
 #include "app/panels/overlay_legend.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -10,7 +10,6 @@
 #include "app/panels/sweep_menu.h"
 #include "app/panels/value_bar.h"
 #include "app/panels/widgets.h"
-#include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "pipeline/scene/ramp.h"
 

@@ -7,7 +7,6 @@
 
 #include "app/panels/parameter_row.h"
 #include "app/panels/widgets.h"
-#include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "app/window/word_list.h"
 #include "pipeline/base/text.h"

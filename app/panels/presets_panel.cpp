@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "app/panels/attempt.h"
 #include "app/panels/widgets.h"
-#include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "app/workbench/scene_base.h"
 #include "pipeline/base/error.h"
@@ -49,27 +49,22 @@ void PresetsPanel::select(Workbench& bench, const std::string& name) {
 }
 
 void PresetsPanel::save(Workbench& bench, const std::string& name, bool overwrite) {
-  try {
+  const bool saved = attempt(bench, [&] {
     const PresetStore& presets = bench.keeping.presets();
     presets.save(name, with_absolute_paths(bench.settings()), overwrite);
     bench.keeping.add_recent(presets.path_of(name));
     bench.tell(Severity::note, "saved the preset " + name);
-    bench.dismiss(ProblemKind::input);
-    name_.clear();
-  } catch (const Error& error) {
-    bench.set_problem(ProblemKind::input, error.what());
-  }
+  });
+  if (saved) name_.clear();
   list_again(bench);
   if (bench.keeping.presets().contains(name)) select(bench, name);
 }
 
 void PresetsPanel::remove(Workbench& bench) {
-  try {
+  attempt(bench, [&] {
     bench.keeping.presets().remove(selected_);
     bench.tell(Severity::note, "deleted the preset " + selected_);
-  } catch (const Error& error) {
-    bench.set_problem(ProblemKind::input, error.what());
-  }
+  });
   list_again(bench);
 }
 

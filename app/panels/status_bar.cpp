@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 #include "pipeline/gl/context.h"
 
 namespace inkbench {

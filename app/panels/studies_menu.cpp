@@ -1,14 +1,11 @@
 #include "app/panels/studies_menu.h"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 
 #include "app/panels/attempt.h"
 #include "app/panels/widgets.h"
-#include "app/window/gui.h"
-#include "app/window/theme.h"
 #include "pipeline/base/files.h"
 
 namespace inkbench {
@@ -60,7 +57,9 @@ void StudiesMenu::draw_menu(Workbench& bench) {
   if (menu_item(bench.ui_map, "Show the studies", "F3", studies.page_open))
     studies.page_open = !studies.page_open;
   if (menu_item(bench.ui_map, "New study")) attempt(bench, [&] { studies.new_form(bench.settings()); });
-  if (menu_item(bench.ui_map, "Open a spec or results...")) asking_ = true;
+  if (menu_item(bench.ui_map, "Open a spec or results..."))
+    question_.ask("Open a study", "A spec (.toml), or the folder of a study that ran.", "Open",
+                  [&bench](const std::string& path) { open_path(bench, path); });
   ImGui::Separator();
   read_bundled();
   for (const Folder& folder : *bundled_) {
@@ -75,31 +74,6 @@ void StudiesMenu::draw_menu(Workbench& bench) {
     ImGui::EndMenu();
   }
   ImGui::EndMenu();
-}
-
-void StudiesMenu::draw_question(Workbench& bench) {
-  if (asking_) ImGui::OpenPopup("Open a study");
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 3}, ImGuiCond_Appearing, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize({std::min(scaled(560), screen.x - scaled(20)), 0});
-  if (!ImGui::BeginPopupModal("Open a study", nullptr,
-                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings))
-    return;
-  ImGui::PushFont(fonts().bold);
-  ImGui::TextUnformatted("Open a study");
-  ImGui::PopFont();
-  faint_text("A spec (.toml), or the folder of a study that ran.");
-  if (asking_) ImGui::SetKeyboardFocusHere();
-  asking_ = false;
-  ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputText("##study path", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
-  bench.ui_map.mark_item("study path");
-  const bool opens = ImGui::Button("Open") || entered;
-  ImGui::SameLine();
-  const bool cancels = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-  if (opens && !path_.empty()) attempt(bench, [&] { open_path(bench, path_); });
-  if (opens || cancels) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
 }
 
 }  // namespace inkbench

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/panels/file_question.h"
 #include "app/window/workbench.h"
 
 namespace inkbench {
@@ -15,7 +16,7 @@ class StudiesMenu {
   /// Between BeginMainMenuBar and EndMainMenuBar.
   void draw_menu(Workbench& bench);
   /// The question for a path, when it was asked for.
-  void draw_question(Workbench& bench);
+  void draw_question(Workbench& bench) { question_.draw(bench); }
 
  private:
   struct Bundled {
@@ -29,8 +30,7 @@ class StudiesMenu {
   void read_bundled();
 
   std::optional<std::vector<Folder>> bundled_;
-  bool asking_ = false;
-  std::string path_;
+  FileQuestion question_;
 };
 
 }  // namespace inkbench

@@ -24,7 +24,6 @@ namespace inkbench {
 namespace {
 
 constexpr float kNames = 66;  // width of the column of names
-constexpr double kBytesPerPixel = 3;
 
 /// A row's name, and the cursor where its widget begins.
 void row_name(const char* name) {
@@ -147,7 +146,7 @@ double free_bytes(std::filesystem::path folder) {
 /// Why to ask before it runs; empty where there is no reason.
 std::string too_large(const CheckedForm& checked, double seconds) {
   const double bytes = free_bytes(checked.out);
-  if (bytes >= 0 && kBytesPerPixel * pixel_count(*checked.spec) > bytes)
+  if (bytes >= 0 && most_bytes(*checked.spec) > bytes)
     return "It may not fit on the disk: " + readable_bytes(bytes) + " are free.";
   return seconds > kLongSeconds ? "It takes about " + duration_text(seconds) + "." : "";
 }

@@ -1,11 +1,9 @@
 #include "app/panels/toolbar.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include "app/panels/comparison.h"
 #include "app/panels/widgets.h"
-#include "app/window/theme.h"
 
 namespace inkbench {
 namespace {

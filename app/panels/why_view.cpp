@@ -1,6 +1,5 @@
 #include "app/panels/why_view.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>

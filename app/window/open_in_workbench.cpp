@@ -7,7 +7,6 @@
 #include "pipeline/mesh/mesh_file.h"
 #include "pipeline/scene/replace_mesh.h"
 #include "pipeline/scene/settings_file.h"
-#include "studies/sweep/spec.h"
 
 namespace inkbench {
 namespace {

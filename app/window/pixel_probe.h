@@ -4,7 +4,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
 #include "app/workbench/pixel_why.h"
 #include "pipeline/pipeline.h"

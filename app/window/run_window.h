@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/window/window.h"
 #include "pipeline/scene/settings.h"

@@ -5,8 +5,6 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/scene/settings_file.h"
-
 namespace inkbench {
 namespace {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <glm/ext/matrix_double3x3.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

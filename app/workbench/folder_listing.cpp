@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdlib>
 
@@ -104,15 +103,6 @@ std::string path_text(const fs::path& path) {
   const std::string home = variable == nullptr ? "" : fs::path(variable).lexically_normal().string();
   if (home.size() > 1 && (text == home || text.starts_with(home + "/"))) text.replace(0, home.size(), "~");
   return text;
-}
-
-std::string size_text(std::uintmax_t bytes) {
-  constexpr std::array kUnits{"B", "kB", "MB", "GB", "TB"};
-  auto size = static_cast<double>(bytes);
-  size_t unit = 0;
-  for (; size >= 999.5 && unit + 1 < kUnits.size(); ++unit) size /= 1000;
-  return unit > 0 && size < 9.95 ? fmt::format("{:.1f} {}", size, kUnits[unit])
-                                 : fmt::format("{:.0f} {}", size, kUnits[unit]);
 }
 
 }  // namespace inkbench

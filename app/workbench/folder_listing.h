@@ -36,9 +36,6 @@ std::filesystem::path path_from_text(std::string_view text, const std::filesyste
 /// To show a path: the home folder as "~".
 std::string path_text(const std::filesystem::path& path);
 
-/// "3.2 MB"
-std::string size_text(std::uintmax_t bytes);
-
 /// Of letters without regard to case.
 std::string lower_extension(const std::filesystem::path& path);
 

@@ -115,30 +115,10 @@ std::string number(float value) {
   return fmt::format("{:.4g}", value);
 }
 
-std::string places_text(const TermWhy& why) {
-  if (why.gmax == why.gmin) return "the gradient is the same all around";
-  return "the largest gradient is " + offset_text(why.max_at) + ", the smallest " + offset_text(why.min_at);
-}
-
 std::string object_name(int object, std::span<const std::string> names) {
   if (object == 0) return "the background";
   const auto index = static_cast<size_t>(object) - 1;
   return index < names.size() ? names[index] : fmt::format("object {}", object);
-}
-
-std::string step_text(const GradientStep& step, bool is_depth, std::span<const std::string> names) {
-  return fmt::format("; {:.0f} % of it is {}", 100 * step.share, cause_text(step, is_depth, names));
-}
-
-std::string term_text(const char* name, const TermWhy& why, std::span<const std::string> names) {
-  if (!why.used) return fmt::format("The {} term is switched off.", name);
-  const bool is_depth = std::string_view(name) == "depth";
-  std::string text =
-      fmt::format("{}: (gmax {} - gmin {}) / k {} = {}, {} -> p = {}; {}", is_depth ? "Depth" : "Normal",
-                  number(why.gmax), number(why.gmin), shortest(why.k), number(why.ratio),
-                  why.ratio >= 1 ? "at least 1" : "squared", number(why.p), places_text(why));
-  if (why.step && why.gmax > why.gmin) text += step_text(*why.step, is_depth, names);
-  return text + ".";
 }
 
 }  // namespace
@@ -158,13 +138,6 @@ PixelWhy why_pixel(const EdgeBuffers& buffers, const CombineParams& params, int 
   why.edge = why.sum < params.threshold ? 0.0F : stored(std::min(why.sum, 1.0F), precision);
   why.inked = why.edge != 0.0F;
   return why;
-}
-
-std::string why_text(const PixelWhy& why, std::span<const std::string> object_names) {
-  const std::string depth = term_text("depth", why.depth, object_names);
-  const std::string normal = term_text("normal", why.normal, object_names);
-  const bool depth_first = why.depth.p > why.normal.p;
-  return verdict_text(why) + " " + (depth_first ? depth : normal) + " " + (depth_first ? normal : depth);
 }
 
 std::string verdict_text(const PixelWhy& why) {
@@ -188,14 +161,6 @@ std::string cause_text(const GradientStep& step, bool is_depth, std::span<const 
                         object_name(step.to_object, names));
   }
   return text;
-}
-
-std::string offset_text(const Offset& offset) {
-  if (offset == Offset{}) return "here";
-  const std::string vertical = offset.dy < 0 ? "above" : offset.dy > 0 ? "below" : "";
-  const std::string horizontal = offset.dx < 0 ? "left" : offset.dx > 0 ? "right" : "";
-  const bool both = !vertical.empty() && !horizontal.empty();
-  return vertical + (both ? " " : "") + horizontal;
 }
 
 }  // namespace inkbench

@@ -62,17 +62,12 @@ struct PixelWhy {
 PixelWhy why_pixel(const EdgeBuffers& buffers, const CombineParams& params, int x, int y,
                    Precision precision = Precision::float32);
 
-/// One paragraph, the term that counts most first. `object_names[i]` names object i + 1 (the scene's models).
-std::string why_text(const PixelWhy& why, std::span<const std::string> object_names = {});
-
-/// The first sentence of it: "A line, because the sum of the terms, 1.2, reaches the threshold 0.75."
+/// "A line, because the sum of the terms, 1.2, reaches the threshold 0.75."
 std::string verdict_text(const PixelWhy& why);
 
-/// What made the term's largest gradient: "normals 62 degrees apart between box and room"; "" where nothing.
+/// What made the term's largest gradient: "normals 62 degrees apart between box and room". `object_names[i]`
+/// names object i + 1 (the scene's models).
 std::string cause_text(const GradientStep& step, bool is_depth,
                        std::span<const std::string> object_names = {});
-
-/// "here", "above left", "right": where a neighbour is.
-std::string offset_text(const Offset& offset);
 
 }  // namespace inkbench

@@ -1,9 +1,7 @@
 #include "app/workbench/place_in_text.h"
 
-#include <algorithm>
 #include <cctype>
 
-#include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 
 namespace inkbench {

@@ -4,16 +4,17 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
-#include "pipeline/params/toml_document.h"
+#include "pipeline/params/toml_reader.h"
 #include "pipeline/params/value.h"
 
 namespace inkbench {
 namespace {
 
-std::string text_entry(const TomlNode& table, const std::string& key, const std::string& where) {
-  const TomlNode* node = table.find(key);
-  if (node == nullptr || !node->is_text()) throw input_error(where, "a study without " + key);
-  return node->text;
+/// An entry that every study of the list has.
+std::string needed_text(const TomlReader& toml, const TomlNode& study, const std::string& key) {
+  const TomlNode* node = study.find(key);
+  if (node == nullptr) throw input_error(toml.at(study), "a study without " + key);
+  return toml.text_of(*node, key);
 }
 
 }  // namespace
@@ -29,14 +30,10 @@ std::vector<RecentStudy> load_recent_studies(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) return studies;
   const TomlNode document = parse_toml(read_file(file), file.string());
-  const TomlNode* list = document.find("study");
-  if (list == nullptr) return studies;
-  const std::string where = file.string() + ":" + std::to_string(list->line);
-  if (!list->is_array()) throw input_error(where, "study is " + list->kind_name(), "it must be tables");
-  for (const TomlNode& item : list->items) {
-    const std::string at = file.string() + ":" + std::to_string(item.line);
-    studies.push_back(
-        {text_entry(item, "title", at), text_entry(item, "spec", at), text_entry(item, "folder", at)});
+  const TomlReader toml(file.string());
+  for (const TomlNode* study : toml.tables(document, "study")) {
+    studies.push_back({needed_text(toml, *study, "title"), needed_text(toml, *study, "spec"),
+                       needed_text(toml, *study, "folder")});
   }
   return studies;
 }

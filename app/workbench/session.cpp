@@ -4,9 +4,9 @@
 
 #include "app/workbench/scene_base.h"
 #include "app/workbench/unknown_entries.h"
-#include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
+#include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
 #include "pipeline/scene/settings_file.h"
 
@@ -28,19 +28,20 @@ std::string path_text(const fs::path& path) {
 /// Reads the [session] table of one document; `left_out` takes what it does not know.
 class SessionReader {
  public:
-  SessionReader(std::string name, std::vector<std::string>& left_out)
-      : name_(std::move(name)), left_out_(left_out) {}
+  SessionReader(const std::string& name, std::vector<std::string>& left_out)
+      : toml_(name), left_out_(left_out) {}
 
   void read(const TomlNode& table, Session& session) const {
-    for (const auto& [key, node] : entries_of(table, "session")) {
+    for (const auto& [key, node] : toml_.entries_of(table, "session")) {
       if (key == "scene") {
-        session.scene = text_of(node, key);
+        session.scene = toml_.text_of(node, key);
       } else if (key == "recent") {
-        for (const TomlNode& item : items_of(node, key)) session.recent.emplace_back(text_of(item, key));
+        for (const TomlNode& item : toml_.items_of(node, key))
+          session.recent.emplace_back(toml_.text_of(item, key));
       } else if (key == "layout") {
         read_struct(WindowLayout::description(), &session.layout, node, "session.layout");
       } else if (key == "bookmark") {
-        for (const TomlNode& item : items_of(node, key)) session.bookmarks.push_back(bookmark(item));
+        for (const TomlNode& item : toml_.items_of(node, key)) session.bookmarks.push_back(bookmark(item));
       } else {
         left_out_.push_back(left_out_name("session." + key, node));
       }
@@ -48,26 +49,10 @@ class SessionReader {
   }
 
  private:
-  std::string at(const TomlNode& node) const { return name_ + ":" + std::to_string(node.line); }
-
-  const std::vector<TomlEntry>& entries_of(const TomlNode& node, const std::string& key) const {
-    if (!node.is_table()) throw input_error(at(node), key + " is " + node.kind_name(), "it must be a table");
-    return node.entries;
-  }
-
-  const std::vector<TomlNode>& items_of(const TomlNode& node, const std::string& key) const {
-    if (!node.is_array()) throw input_error(at(node), key + " is " + node.kind_name(), "it must be a list");
-    return node.items;
-  }
-
-  std::string text_of(const TomlNode& node, const std::string& key) const {
-    if (!node.is_text()) throw input_error(at(node), key + " is " + node.kind_name(), "it must be text");
-    return node.text;
-  }
-
   void read_struct(const Description& description, void* owner, const TomlNode& table,
                    const std::string& key) const {
-    for (const auto& [name, node] : entries_of(table, key)) set_field(description, owner, name, node, key);
+    for (const auto& [name, node] : toml_.entries_of(table, key))
+      set_field(description, owner, name, node, key);
   }
 
   void set_field(const Description& description, void* owner, const std::string& name, const TomlNode& node,
@@ -75,7 +60,7 @@ class SessionReader {
     for (const Field& field : description.fields) {
       if (field.name != name) continue;
       const Param param{key + "." + name, &field, owner};
-      param.set(value_from_toml(param, node, at(node), "/"), at(node));
+      param.set(value_from_toml(param, node, toml_.at(node), "/"), toml_.at(node));
       return;
     }
     left_out_.push_back(left_out_name(key + "." + name, node));
@@ -83,9 +68,9 @@ class SessionReader {
 
   CameraBookmark bookmark(const TomlNode& table) const {
     CameraBookmark result;
-    for (const auto& [name, node] : entries_of(table, "session.bookmark")) {
+    for (const auto& [name, node] : toml_.entries_of(table, "session.bookmark")) {
       if (name == "name") {
-        result.name = text_of(node, name);
+        result.name = toml_.text_of(node, name);
       } else if (name == "key") {
         set_field(CameraBookmark::description(), &result, name, node, "session.bookmark");
       } else {
@@ -95,7 +80,7 @@ class SessionReader {
     return result;
   }
 
-  std::string name_;
+  TomlReader toml_;
   std::vector<std::string>& left_out_;
 };
 

@@ -12,6 +12,11 @@ double pixel_count(const StudySpec& spec) {
   return static_cast<double>(image.width) * image.height * static_cast<double>(pictures);
 }
 
+double most_bytes(const StudySpec& spec) {
+  constexpr double kBytesPerPixel = 3;
+  return kBytesPerPixel * pixel_count(spec);
+}
+
 std::string plan_text(const StudySpec& spec) {
   const size_t count = cell_count(spec);
   std::vector<std::string> sides;
@@ -21,7 +26,7 @@ std::string plan_text(const StudySpec& spec) {
   const std::string views = spec.views.size() > 1 ? fmt::format(" in {} views", spec.views.size()) : "";
   return fmt::format("{} cell{}{}{} of {} x {} px, at most {}", with_commas(static_cast<long long>(count)),
                      count == 1 ? "" : "s", sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", views,
-                     image.width, image.height, readable_bytes(3.0 * pixel_count(spec)));
+                     image.width, image.height, readable_bytes(most_bytes(spec)));
 }
 
 }  // namespace inkbench

@@ -10,7 +10,10 @@ namespace inkbench {
 /// Pixels of all pictures of all cells.
 double pixel_count(const StudySpec& spec);
 
-/// "49 cells (7 x 7) of 1024 x 1024 px, at most 154.1 MB".
+/// What those pictures take on the disk at most.
+double most_bytes(const StudySpec& spec);
+
+/// "49 cells (7 x 7) of 1024 x 1024 px, at most 154 MB".
 std::string plan_text(const StudySpec& spec);
 
 }  // namespace inkbench

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+#include <optional>
+
+#include "pipeline/image/finite_range.h"
 
 namespace inkbench {
 
@@ -20,14 +22,9 @@ ValueHistogram histogram_of(const Image& image, int bins) {
   ValueHistogram histogram;
   const auto channels = static_cast<size_t>(image.channels);
   histogram.channels.assign(channels, std::vector<int64_t>(static_cast<size_t>(bins)));
-  float low = std::numeric_limits<float>::infinity();
-  float high = -low;
-  for (const float value : image.samples) {
-    if (!std::isfinite(value)) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  if (!(low <= high)) return histogram;
+  const std::optional<FiniteRange> range = finite_range(image);
+  if (!range) return histogram;
+  const auto [low, high] = *range;
   histogram.low = low;
   histogram.high = high;
   const double scale = high > low ? bins / (static_cast<double>(high) - low) : 0.0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 
@@ -47,10 +48,11 @@ std::string with_commas(long long count) {
 }
 
 std::string readable_bytes(double bytes) {
-  if (bytes < 1e3) return fmt::format("{:.0f} bytes", bytes);
-  if (bytes < 1e6) return fmt::format("{:.0f} kB", bytes / 1e3);
-  if (bytes < 1e9) return fmt::format("{:.1f} MB", bytes / 1e6);
-  return fmt::format("{:.1f} GB", bytes / 1e9);
+  constexpr std::array kUnits{"bytes", "kB", "MB", "GB", "TB"};
+  size_t unit = 0;
+  for (; bytes >= 999.5 && unit + 1 < kUnits.size(); ++unit) bytes /= 1000;
+  const bool is_short = unit > 0 && bytes < 9.95;
+  return fmt::format("{:.{}f} {}", bytes, is_short ? 1 : 0, kUnits[unit]);
 }
 
 std::string join(std::span<const std::string> parts, std::string_view separator) {

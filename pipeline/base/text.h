@@ -15,7 +15,7 @@ std::string shortest(double value);
 /// A count with thousands separated: 69666 -> "69,666".
 std::string with_commas(long long count);
 
-/// Bytes for people: "3.1 MB", "812 kB".
+/// Bytes for people: "12 bytes", "3.1 MB", "812 kB".
 std::string readable_bytes(double bytes);
 
 std::string join(std::span<const std::string> parts, std::string_view separator);

@@ -1,6 +1,5 @@
 #include "pipeline/image/image_content.h"
 
-#include <cstring>
 #include <optional>
 #include <utility>
 

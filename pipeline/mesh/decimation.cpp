@@ -11,7 +11,6 @@
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <algorithm>
 #include <cfloat>
-#include <cmath>
 
 #include "pipeline/mesh/weld_manifold.h"
 

@@ -3,8 +3,6 @@
 // because OpenMesh's OFF reader overlooks normals when it reads from a stream.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "pipeline/mesh/mesh_source.h"
 #include "pipeline/mesh/mesh_text.h"
 #include "pipeline/mesh/ply_header.h"

@@ -28,8 +28,6 @@ class TextCursor {
   std::string_view line() const { return line_; }
   /// What follows the current line.
   std::string_view rest() const { return rest_; }
-  /// Counted from 1.
-  size_t line_number() const { return line_number_; }
   const std::string& name() const { return name_; }
   /// An input error at the current line.
   Error error(const std::string& what, const std::string& expected = "") const;
@@ -39,7 +37,7 @@ class TextCursor {
   std::string_view rest_;
   std::string_view line_;
   std::string_view line_rest_;
-  size_t line_number_ = 0;
+  size_t line_number_ = 0;  ///< Counted from 1.
 };
 
 /// The token in quotes for a message: its beginning, what cannot be printed as "?".

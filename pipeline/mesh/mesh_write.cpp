@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cstring>
 #include <iterator>
 
 #include "pipeline/base/files.h"

@@ -6,8 +6,6 @@
 #include <array>
 #include <span>
 
-#include "pipeline/base/text.h"
-
 namespace inkbench {
 namespace {
 

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numeric>
 #include <span>
 
 #include "pipeline/base/error.h"

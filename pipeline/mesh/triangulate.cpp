@@ -1,6 +1,5 @@
 #include "pipeline/mesh/triangulate.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace inkbench {

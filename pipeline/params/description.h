@@ -2,9 +2,7 @@
 // study keys, `--set`, TOML, validation, uniform blocks, cache keys and the docs table are visitors over it.
 #pragma once
 
-#include <array>
 #include <glm/vec3.hpp>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/base/text.h"
-#include "pipeline/params/toml_value.h"
 #include "pipeline/scene/settings.h"
 
 namespace inkbench {

@@ -1,7 +1,5 @@
 #include "pipeline/scene/settings.h"
 
-#include <fmt/format.h>
-
 #include <optional>
 #include <set>
 

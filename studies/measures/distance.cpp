@@ -1,7 +1,6 @@
 #include "studies/measures/distance.h"
 
 #include <algorithm>
-#include <array>
 
 namespace inkbench {
 namespace {

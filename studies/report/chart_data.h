@@ -2,7 +2,6 @@
 // a chart and the table. Out: numbers and the order of names, without colours or places on paper.
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>

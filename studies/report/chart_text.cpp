@@ -6,8 +6,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "pipeline/base/text.h"
-
 namespace inkbench {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "studies/report/page_data.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <string_view>
 

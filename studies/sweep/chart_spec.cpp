@@ -1,10 +1,10 @@
 #include "studies/sweep/chart_spec.h"
 
-#include <algorithm>
 #include <set>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
+#include "pipeline/params/toml_reader.h"
 #include "studies/sweep/chart_table.h"
 #include "studies/sweep/data_columns.h"
 
@@ -34,33 +34,23 @@ void check_name(const Chart& chart, const std::vector<Chart>& others) {
   }
 }
 
-/// The tables of [[chart]].
-const std::vector<TomlNode>& chart_tables(const TomlNode& list, const std::string& where) {
-  const auto is_table = [](const TomlNode& item) { return item.is_table(); };
-  if (!list.is_array() || !std::all_of(list.items.begin(), list.items.end(), is_table))
-    throw input_error(where, "chart is " + list.kind_name(), "it must be tables: [[chart]]");
-  return list.items;
-}
-
 }  // namespace
 
 std::vector<Chart> read_charts(const TomlNode& document, const StudySpec& spec) {
-  const TomlNode* list = document.find("chart");
-  if (list == nullptr) return {};
-  const auto place = [&](const TomlNode& node) {
-    return spec.path.string() + ":" + std::to_string(node.line);
-  };
+  const TomlReader toml(spec.path.string());
+  const std::vector<const TomlNode*> tables = toml.tables(document, "chart");
+  if (tables.empty()) return {};
   const bool is_planned = cell_count(spec) <= kMostPlanned;
   const CsvTable planned = is_planned ? planned_table(spec) : CsvTable{};
   std::vector<Chart> charts;
-  for (const TomlNode& table : chart_tables(*list, place(*list))) {
-    Chart chart = read_chart(table, spec);
+  for (const TomlNode* table : tables) {
+    Chart chart = read_chart(*table, spec);
     try {
       check_name(chart, charts);
       if (is_planned) check_filters(chart, planned);
       if (is_planned) check_chart(chart, planned);
     } catch (const Error& error) {
-      throw input_error(place(table), "chart " + chart.name + ": " + error.what());
+      throw input_error(toml.at(*table), "chart " + chart.name + ": " + error.what());
     }
     charts.push_back(std::move(chart));
   }

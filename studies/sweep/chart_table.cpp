@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
+#include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
 #include "studies/report/chart_text.h"
 #include "studies/sweep/data_columns.h"
@@ -48,7 +48,11 @@ std::string name_from(const std::string& title) {
 class ChartReader {
  public:
   ChartReader(const TomlNode& table, const StudySpec& spec)
-      : table_(table), spec_(spec), settings_(spec.base), columns_(chart_columns(spec)) {}
+      : table_(table),
+        spec_(spec),
+        toml_(spec.path.string()),
+        settings_(spec.base),
+        columns_(chart_columns(spec)) {}
 
   Chart read() {
     chart_.study = spec_.title;
@@ -63,27 +67,15 @@ class ChartReader {
   }
 
  private:
-  std::string at(const TomlNode& node) const { return spec_.path.string() + ":" + std::to_string(node.line); }
-
   [[noreturn]] void refuse(const TomlNode& node, const std::string& what, const std::string& expected) const {
-    throw input_error(at(node), what, expected);
-  }
-
-  std::string text_of(const TomlNode& node, const std::string& key) const {
-    if (!node.is_text()) refuse(node, key + " is " + node.kind_name(), "it must be text");
-    return node.text;
-  }
-
-  std::string text_entry(const std::string& key, const std::string& fallback) const {
-    const TomlNode* node = table_.find(key);
-    return node == nullptr ? fallback : text_of(*node, key);
+    throw input_error(toml_.at(node), what, expected);
   }
 
   /// The place of the entry's text in a list of choices.
   size_t choice(const std::string& key, const std::vector<std::string>& choices, size_t fallback) const {
     const TomlNode* node = table_.find(key);
     if (node == nullptr) return fallback;
-    const auto found = std::find(choices.begin(), choices.end(), text_of(*node, key));
+    const auto found = std::find(choices.begin(), choices.end(), toml_.text_of(*node, key));
     if (found == choices.end())
       refuse(*node, key + " is \"" + node->text + "\"", "one of: " + join(choices, ", "));
     return static_cast<size_t>(found - choices.begin());
@@ -117,7 +109,7 @@ class ChartReader {
   }
 
   ChartColumn column(const TomlNode& node, const std::string& key) const {
-    return column_named(node, text_of(node, key));
+    return column_named(node, toml_.text_of(node, key));
   }
 
   ChartColumn number_column(const TomlNode& node, const std::string& key) const {
@@ -228,7 +220,7 @@ class ChartReader {
   bool is_list_of_values(const ChartColumn& column, const TomlNode& node) {
     if (!node.is_array()) return false;
     if (!is_varied(column) || node.items.empty()) return true;
-    const Param param = find_param(settings_, column.name, at(node));
+    const Param param = find_param(settings_, column.name, toml_.at(node));
     const FieldType type = param.field->type;
     const bool takes_list = type == FieldType::vector || type == FieldType::colour || type == FieldType::ramp;
     return !takes_list || param.component >= 0 || node.items.front().is_array();
@@ -237,8 +229,9 @@ class ChartReader {
   /// The value as it will stand in data.csv.
   std::string field_of(const ChartColumn& column, const TomlNode& node) {
     if (is_varied(column)) {
-      const Param param = find_param(settings_, column.name, at(node));
-      param.set(value_from_toml(param, node, at(node), spec_.path.parent_path().string()), at(node));
+      const Param param = find_param(settings_, column.name, toml_.at(node));
+      param.set(value_from_toml(param, node, toml_.at(node), spec_.path.parent_path().string()),
+                toml_.at(node));
       return field_text(param.value());
     }
     switch (node.kind) {
@@ -257,11 +250,11 @@ class ChartReader {
   }
 
   void read_texts() {
-    chart_.x_label = text_entry("x_label", axis_text(chart_.x));
-    chart_.y_label = text_entry("y_label", default_y_label());
-    if (chart_.value) chart_.value_label = text_entry("value_label", axis_text(*chart_.value));
-    chart_.title = text_entry("title", default_title());
-    chart_.name = text_entry("name", name_from(chart_.title));
+    chart_.x_label = toml_.text_entry(table_, "x_label", axis_text(chart_.x));
+    chart_.y_label = toml_.text_entry(table_, "y_label", default_y_label());
+    if (chart_.value) chart_.value_label = toml_.text_entry(table_, "value_label", axis_text(*chart_.value));
+    chart_.title = toml_.text_entry(table_, "title", default_title());
+    chart_.name = toml_.text_entry(table_, "name", name_from(chart_.title));
     const bool is_name =
         !chart_.name.empty() && chart_.name.size() <= kLongestName &&
         chart_.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
@@ -287,10 +280,7 @@ class ChartReader {
 
   std::optional<double> number_entry(const std::string& key) const {
     const TomlNode* node = table_.find(key);
-    if (node == nullptr) return std::nullopt;
-    if (node->kind == TomlNode::Kind::integer) return static_cast<double>(node->integer);
-    if (node->kind == TomlNode::Kind::real && std::isfinite(node->real)) return node->real;
-    refuse(*node, key + " is " + node->kind_name(), "it must be a finite number");
+    return node == nullptr ? std::nullopt : std::optional(toml_.number_of(*node, key));
   }
 
   void read_scales() {
@@ -317,6 +307,7 @@ class ChartReader {
 
   const TomlNode& table_;
   const StudySpec& spec_;
+  TomlReader toml_;
   Settings settings_;
   std::vector<ChartColumn> columns_;
   Chart chart_;

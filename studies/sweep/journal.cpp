@@ -4,7 +4,6 @@
 
 #include <sstream>
 
-#include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 
 namespace inkbench {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 
 #include "studies/sweep/run_study.h"
 

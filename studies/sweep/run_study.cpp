@@ -12,7 +12,6 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
-#include "pipeline/base/text.h"
 #include "pipeline/export.h"
 #include "pipeline/scene/settings_file.h"
 #include "studies/reference/buffer_source.h"

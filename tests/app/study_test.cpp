@@ -326,6 +326,21 @@ TEST_F(AppStudy, study_that_another_window_ran_meanwhile_stays_in_the_list) {
   EXPECT_EQ(state()["studies"]["list"].size(), 2U);
 }
 
+TEST_F(AppStudy, menu_opens_the_spec_whose_name_is_typed) {
+  open_small();
+  write_spec("typed", 2);
+  click("menu:Studies");
+  click("menu:Open a spec or results...");
+  wait_for("the question", [](const Json& now) { return now["ui"].contains("question:path"); });
+  wait_for_text_field();
+  type(file("typed.toml").string());
+  keys("Return");
+  wait_for("the form", [](const Json& now) {
+    const Json& form = now["studies"]["form"];
+    return form.is_object() && form["cells"] == 2;
+  });
+}
+
 TEST_F(AppStudy, broken_spec_is_told_and_cannot_be_run) {
   open_small();
   write("bad.toml", "title = \"bad\"\n[[axis]]\nkey = \"camera.eey.x\"\nvalues = [1]\n");

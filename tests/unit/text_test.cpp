@@ -79,8 +79,13 @@ TEST(WithCommas, keeps_the_sign_out_of_the_groups) {
 }
 
 TEST(ReadableBytes, picks_the_unit_by_size) {
+  EXPECT_EQ(readable_bytes(0), "0 bytes");
   EXPECT_EQ(readable_bytes(12), "12 bytes");
+  EXPECT_EQ(readable_bytes(999), "999 bytes");
+  EXPECT_EQ(readable_bytes(1234), "1.2 kB");
+  EXPECT_EQ(readable_bytes(45'600), "46 kB");
   EXPECT_EQ(readable_bytes(812'000), "812 kB");
+  EXPECT_EQ(readable_bytes(999'999), "1.0 MB");
   EXPECT_EQ(readable_bytes(3.14e6), "3.1 MB");
   EXPECT_EQ(readable_bytes(2.5e9), "2.5 GB");
 }

@@ -57,13 +57,5 @@ TEST(PathFromText, takes_what_people_type_and_paste) {
   EXPECT_EQ(path_from_text("~q", "/x"), "/x/~q");
 }
 
-TEST(SizeText, has_two_or_three_digits) {
-  EXPECT_EQ(size_text(0), "0 B");
-  EXPECT_EQ(size_text(999), "999 B");
-  EXPECT_EQ(size_text(1234), "1.2 kB");
-  EXPECT_EQ(size_text(45'600), "46 kB");
-  EXPECT_EQ(size_text(999'999), "1.0 MB");
-}
-
 }  // namespace
 }  // namespace inkbench
