@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <limits>
 #include <vector>
 
 #include "pipeline/gl/context.h"
+#include "pipeline/image/finite_range.h"
 
 namespace inkbench {
 namespace {
@@ -31,15 +30,10 @@ Texture copy_of(const Texture& from) {
 }
 
 ShownRange range_of(const Image& image) {
-  float low = std::numeric_limits<float>::max();
-  float high = std::numeric_limits<float>::lowest();
-  for (const float value : image.samples) {
-    if (!std::isfinite(value)) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  if (!(low < high)) return {std::min(low, 0.0F), std::max(high, 1.0F)};
-  return {low, high};
+  const std::optional<FiniteRange> range = finite_range(image);
+  if (!range) return {0.0F, 1.0F};
+  if (!(range->low < range->high)) return {std::min(range->low, 0.0F), std::max(range->high, 1.0F)};
+  return {range->low, range->high};
 }
 
 }  // namespace
