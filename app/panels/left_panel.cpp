@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "app/window/gui.h"
 #include "app/window/theme.h"
@@ -33,18 +34,29 @@ void draw_tab(Workbench& bench, LeftTab tab, ImVec2 low, ImVec2 size) {
   list.PopClipRect();
 }
 
+float title_width(ImFont* font, size_t i) {
+  return font->CalcTextSizeA(ImGui::GetFontSize(), FLT_MAX, 0, kTitles[i]).x;
+}
+
+/// As if each were the chosen one, so that they stand still; in a narrow panel as they are.
+std::array<float, kTitles.size()> title_widths(size_t chosen, float room) {
+  std::array<float, kTitles.size()> widths{};
+  for (size_t i = 0; i < kTitles.size(); ++i) widths[i] = title_width(fonts().bold, i);
+  if (std::accumulate(widths.begin(), widths.end(), 0.0F) <= room) return widths;
+  for (size_t i = 0; i < kTitles.size(); ++i) {
+    if (i != chosen) widths[i] = title_width(fonts().text, i);
+  }
+  return widths;
+}
+
 /// Widths by the titles' lengths, so that each has the same room around it.
 void draw_tabs(Workbench& bench) {
   const ImVec2 low = ImGui::GetWindowPos();
   const float width = ImGui::GetWindowWidth();
   const float height = ImGui::GetFrameHeight() + scaled(2);
   ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + height}, theme().bar);
-  std::array<float, kTitles.size()> widths{};
-  float sum = 0;
-  for (size_t i = 0; i < kTitles.size(); ++i) {
-    widths[i] = fonts().bold->CalcTextSizeA(ImGui::GetFontSize(), FLT_MAX, 0, kTitles[i]).x;
-    sum += widths[i];
-  }
+  const auto widths = title_widths(static_cast<size_t>(bench.layout.left_tab), width);
+  const float sum = std::accumulate(widths.begin(), widths.end(), 0.0F);
   const float room = std::clamp((width - sum) / static_cast<float>(kTitles.size()), 0.0F, scaled(22));
   const float shrink = std::min(1.0F, width / sum);
   float x = low.x;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "app/panels/fitted_picture.h"
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
@@ -176,18 +177,6 @@ void draw_failed(ImDrawList& list, ImVec2 low, ImVec2 high) {
   list.AddText({(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2}, theme().error, "failed");
 }
 
-/// One to one once it is there at this size; until then the one of another size, stretched.
-void draw_fitted(ImDrawList& list, const Texture& texture, ImVec2 low, ImVec2 room) {
-  const auto width = static_cast<float>(texture.width_px());
-  const auto height = static_cast<float>(texture.height_px());
-  const float scale = std::min(room.x / width, room.y / height);
-  const bool fits = scale >= 1.0F && scale < 1.05F;
-  const ImVec2 size{fits ? width : std::floor(width * scale), fits ? height : std::floor(height * scale)};
-  const ImVec2 at{std::floor(low.x + (room.x - size.x) / 2), std::floor(low.y + (room.y - size.y) / 2)};
-  list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture.id())), at,
-                {at.x + size.x, at.y + size.y}, {0, 1}, {1, 0});
-}
-
 void draw_thumbnail(const StudyResults& results, size_t cell, const GridChoice& choice,
                     Thumbnails& thumbnails, ImVec2 low, ImVec2 high) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -196,7 +185,7 @@ void draw_thumbnail(const StudyResults& results, size_t cell, const GridChoice& 
     return results.error(cell).empty() ? draw_waiting(list, low, high) : draw_failed(list, low, high);
   const ImVec2 room{high.x - low.x, high.y - low.y};
   const Texture* texture = thumbnails.get(file, static_cast<int>(room.x), static_cast<int>(room.y));
-  if (texture != nullptr) return draw_fitted(list, *texture, low, room);
+  if (texture != nullptr) return draw_fitted_picture(list, *texture, low, room);
   draw_waiting(list, low, high);
   if (!thumbnails.problem(file).empty())
     list.AddText({low.x + scaled(4), low.y + scaled(4)}, theme().error, "?");
@@ -229,11 +218,18 @@ void draw_preview(const StudyResults& results, size_t cell, const GridChoice& ch
   const Texture* texture = thumbnails.get(file, static_cast<int>(room.x), static_cast<int>(room.y), 1);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::Dummy(room);
-  if (texture != nullptr) draw_fitted(*ImGui::GetWindowDrawList(), *texture, low, room);
+  if (texture != nullptr) draw_fitted_picture(*ImGui::GetWindowDrawList(), *texture, low, room);
 }
 
+/// Nothing where the sizes are the same.
+std::string size_note(const ImageParams& now, const ImageParams& taken) {
+  const bool same = now.width == taken.width && now.height == taken.height;
+  return same ? "" : fmt::format(" and {} × {} px", taken.width, taken.height);
+}
+
+/// `now`: the window's own.
 void cell_tooltip(const StudyResults& results, size_t cell, const GridChoice& choice, Thumbnails& thumbnails,
-                  ImVec2 cell_size) {
+                  ImVec2 cell_size, const ImageParams& now) {
   const StudySpec& spec = results.spec();
   const Cell made = make_cell(spec, cell);
   float column = 0;
@@ -251,7 +247,8 @@ void cell_tooltip(const StudyResults& results, size_t cell, const GridChoice& ch
     ImGui::Dummy({0, scaled(2)});
     draw_numbers(results, cell, column);
     draw_preview(results, cell, choice, thumbnails, cell_size);
-    faint_text("Click takes over these parameters.");
+    faint_text("Click takes over these parameters" + size_note(now, results.image(cell, choice.picture)) +
+               ".");
   } else if (results.has(cell)) {
     coloured_text(theme().error, results.error(cell));
   } else {
@@ -299,7 +296,7 @@ class GridView {
   void zoom_by_wheel() {
     const ImGuiIO& io = ImGui::GetIO();
     if (!ImGui::IsWindowHovered() || !io.KeyCtrl || io.MouseWheel == 0) return;
-    choice_.zoom = std::clamp(choice_.zoom * std::pow(1.2F, io.MouseWheel), 1.0F, 40.0F);
+    choice_.zoom = std::clamp(choice_.zoom * std::pow(1.2F, io.MouseWheel), 1.0F, kLargestGrid);
   }
 
   std::pair<size_t, size_t> in_sight(float begin, float first, float step, float low, float high,
@@ -361,7 +358,7 @@ class GridView {
     if (choice_.number)
       draw_centred(list, {low.x, high.y + scaled(1)}, plan_.cell.x, theme().text,
                    short_number(results_.number(cell, *choice_.number)));
-    if (hot) cell_tooltip(results_, cell, choice_, thumbnails_, plan_.cell);
+    if (hot) cell_tooltip(results_, cell, choice_, thumbnails_, plan_.cell, bench_.settings().image);
     ImGui::PopID();
   }
 

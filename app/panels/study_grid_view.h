@@ -19,6 +19,9 @@ struct GridChoice {
   std::optional<size_t> taken;   ///< The cell whose parameters were taken over last.
 };
 
+/// How far a grid is enlarged at most.
+constexpr float kLargestGrid = 40.0F;
+
 struct GridMouse {
   std::optional<size_t> clicked;
   std::optional<size_t> menu;  ///< Pressed with the right button.

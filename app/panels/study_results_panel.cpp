@@ -7,6 +7,7 @@
 #include <array>
 
 #include "app/panels/attempt.h"
+#include "app/panels/study_chart_view.h"
 #include "app/panels/study_list.h"
 #include "app/panels/widgets.h"
 #include "app/window/gui.h"
@@ -14,6 +15,7 @@
 #include "app/workbench/folder_listing.h"
 #include "app/workbench/open_outside.h"
 #include "app/workbench/study_plan.h"
+#include "pipeline/base/text.h"
 #include "pipeline/export.h"
 
 namespace inkbench {
@@ -51,7 +53,11 @@ void open_page(Workbench& bench, const std::filesystem::path& path) {
 
 /// Pictures of another study, or of a new run of it, are other ones.
 void StudyResultsPanel::follow_results(const Studies& studies) {
-  if (folder_ != studies.shown()->folder) choice_ = {};
+  if (folder_ != studies.shown()->folder) {
+    choice_ = {};
+    wants_charts_ = false;
+    chart_zoom_ = 1.0F;
+  }
   folder_ = studies.shown()->folder;
   if (revision_ != studies.results_revision()) thumbnails_.forget();
   revision_ = studies.results_revision();
@@ -93,6 +99,7 @@ void StudyResultsPanel::draw_head(Workbench& bench, const ListedStudy& listed) {
 void StudyResultsPanel::draw_choices(Workbench& bench, const StudyResults& results) {
   const auto combo = [&](const char* id, float width, const std::string& now, size_t count, const auto& name,
                          const auto& choose) {
+    if (ImGui::GetCursorPosX() + scaled(width) > ImGui::GetContentRegionMax().x) ImGui::NewLine();
     ImGui::SetNextItemWidth(scaled(width));
     const bool open = ImGui::BeginCombo(id, now.c_str(), ImGuiComboFlags_HeightLarge);
     bench.ui_map.mark_item(id);
@@ -126,17 +133,35 @@ void StudyResultsPanel::draw_choices(Workbench& bench, const StudyResults& resul
   const auto number_name = [&](size_t i) { return i == 0 ? std::string("no numbers") : numbers[i - 1]; };
   combo("##number", 150, number_name(choice_.number ? *choice_.number + 1 : 0), numbers.size() + 1,
         number_name, [&](size_t i) { choice_.number = i == 0 ? std::nullopt : std::optional(i - 1); });
+}
+
+void StudyResultsPanel::draw_zoom(Workbench& bench, float& zoom, float largest) {
   const float width = button_width("-") + button_width("Fit") + button_width("+") + 2 * 2;
-  ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, ImGui::GetCursorPosX()));
-  if (ImGui::Button("-")) choice_.zoom = std::max(1.0F, choice_.zoom / 1.25F);
-  help_for_item("Smaller cells (Ctrl+wheel).");
+  const float left = ImGui::GetContentRegionMax().x - width;
+  if (ImGui::GetCursorPosX() > left) ImGui::NewLine();
+  ImGui::SetCursorPosX(std::max(left, 0.0F));
+  if (ImGui::Button("-")) zoom = std::max(1.0F, zoom / 1.25F);
+  help_for_item("Smaller (Ctrl+wheel).");
   ImGui::SameLine(0, 2);
-  if (toggle_button("Fit", choice_.zoom == 1.0F, "The whole grid in the window.")) choice_.zoom = 1.0F;
+  if (toggle_button("Fit", zoom == 1.0F, "As large as the window has room for.")) zoom = 1.0F;
   bench.ui_map.mark_item("fit grid");
   ImGui::SameLine(0, 2);
-  if (ImGui::Button("+")) choice_.zoom = std::min(40.0F, choice_.zoom * 1.25F);
+  if (ImGui::Button("+")) zoom = std::min(largest, zoom * 1.25F);
   bench.ui_map.mark_item("larger cells");
-  help_for_item("Larger cells (Ctrl+wheel).");
+  help_for_item("Larger (Ctrl+wheel).");
+}
+
+bool StudyResultsPanel::draw_kinds(Workbench& bench, const StudyResults& results) {
+  if (results.charts().empty()) return false;
+  const bool before = wants_charts_;
+  if (toggle_button("Grid", !wants_charts_, "Every cell's picture.")) wants_charts_ = false;
+  bench.ui_map.mark_item("show grid");
+  ImGui::SameLine(0, 2);
+  if (toggle_button("Charts", wants_charts_, "What the numbers of all cells say.")) wants_charts_ = true;
+  bench.ui_map.mark_item("show charts");
+  ImGui::SameLine();
+  if (before != wants_charts_) thumbnails_.forget();  // the others are out of sight
+  return wants_charts_;
 }
 
 void StudyResultsPanel::take_over(Workbench& bench, const StudyResults& results, size_t cell) {
@@ -176,6 +201,15 @@ void StudyResultsPanel::draw_cell_menu(Workbench& bench, const StudyResults& res
   ImGui::EndPopup();
 }
 
+void StudyResultsPanel::draw_grid(Workbench& bench, const StudyResults& results) {
+  draw_choices(bench, results);
+  draw_zoom(bench, choice_.zoom, kLargestGrid);
+  ImGui::Dummy({0, scaled(2)});
+  const GridMouse mouse = draw_study_grid(bench, results, choice_, thumbnails_);
+  if (mouse.clicked) take_over(bench, results, *mouse.clicked);
+  draw_cell_menu(bench, results, mouse);
+}
+
 void StudyResultsPanel::draw(Workbench& bench) {
   Studies& studies = bench.studies;
   if (!studies.shown()) return studies.show_form();
@@ -192,20 +226,27 @@ void StudyResultsPanel::draw(Workbench& bench) {
   const StudyResults& results = *studies.results();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool all_done = listed.state == StudyState::finished && results.failed() == 0;
-  fitted_text((all_done ? "finished" : state_text(listed)) + "    " + plan_text(results.spec()) + "    " +
-                  path_text(results.folder()),
-              width, theme().faint);
+  const std::string size = results.bytes() > 0 ? shape_text(results.spec()) + ", " +
+                                                     readable_bytes(static_cast<double>(results.bytes()))
+                                               : plan_text(results.spec());
+  fitted_text(
+      (all_done ? "finished" : state_text(listed)) + "    " + size + "    " + path_text(results.folder()),
+      width, theme().faint);
   if (listed.job != nullptr && listed.job->is_over() && !listed.job->problem.empty())
     fitted_text(listed.job->problem, width, theme().error);
   ImGui::Dummy({0, scaled(1)});
-  draw_choices(bench, results);
-  ImGui::Dummy({0, scaled(2)});
   thumbnails_.begin_frame();
-  const GridMouse mouse = draw_study_grid(bench, results, choice_, thumbnails_);
+  if (draw_kinds(bench, results)) {
+    draw_zoom(bench, chart_zoom_, kLargestChart);
+    ImGui::Dummy({0, scaled(2)});
+    const std::filesystem::path clicked =
+        draw_study_charts(bench, results.charts(), chart_zoom_, thumbnails_);
+    if (!clicked.empty()) open_page(bench, clicked);
+  } else {
+    draw_grid(bench, results);
+  }
   thumbnails_.end_frame();
   if (thumbnails_.is_waiting()) bench.wake_in(studies.is_busy() ? kReadSecondsBesideStudy : kReadSeconds);
-  if (mouse.clicked) take_over(bench, results, *mouse.clicked);
-  draw_cell_menu(bench, results, mouse);
 }
 
 }  // namespace inkbench

@@ -13,7 +13,10 @@ double pixel_count(const StudySpec& spec);
 /// What those pictures take on the disk at most.
 double most_bytes(const StudySpec& spec);
 
-/// "49 cells (7 x 7) of 1024 x 1024 px, at most 154 MB".
+/// "49 cells (7 x 7) of 1024 x 1024 px".
+std::string shape_text(const StudySpec& spec);
+
+/// The same, with what it will take: ", at most 154 MB".
 std::string plan_text(const StudySpec& spec);
 
 }  // namespace inkbench

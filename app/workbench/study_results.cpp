@@ -9,6 +9,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/scene/settings_file.h"
 #include "studies/report/csv.h"
 #include "studies/sweep/number_columns.h"
 #include "studies/sweep/study_grid.h"
@@ -65,6 +66,15 @@ StudySpec read_spec(const nlohmann::json& manifest, const std::vector<fs::path>&
   return parse_spec(text, places.back(), {});
 }
 
+/// The spec's, unless `--set` said something else when it ran.
+ImageParams base_image(const nlohmann::json& manifest, const fs::path& folder, const ImageParams& otherwise) {
+  try {
+    return parse_settings(text_entry(manifest, "base_settings"), "manifest.json", folder).image;
+  } catch (const Error&) {
+    return otherwise;
+  }
+}
+
 }  // namespace
 
 StudySummary read_summary(const fs::path& folder) {
@@ -76,6 +86,7 @@ StudyResults::StudyResults(const fs::path& folder, const fs::path& spec) : folde
   summary_ = summary_of(manifest);
   spec_text_ = text_entry(manifest, "spec");
   spec_ = read_spec(manifest, spec_places(manifest, folder, spec));
+  spec_.base.image = base_image(manifest, folder, spec_.base.image);
   columns_ = grid_axis(spec_, 0);
   rows_ = grid_axis(spec_, 1);
   pages_ = grid_axis(spec_, 2);
@@ -85,6 +96,30 @@ StudyResults::StudyResults(const fs::path& folder, const fs::path& spec) : folde
     for (const BufferName buffer : spec_.show) pictures_.push_back(prefix + std::string(name_of(buffer)));
   }
   read_data();
+  weigh();
+}
+
+/// Once, since it looks at every file.
+void StudyResults::weigh() {
+  if (summary_.state != "finished") bytes_ = 0;
+  if (summary_.state != "finished" || bytes_ > 0) return;
+  std::error_code error;
+  for (fs::recursive_directory_iterator i(folder_, error), end; !error && i != end; i.increment(error)) {
+    std::error_code gone;
+    if (i->is_regular_file(gone)) bytes_ += i->file_size(gone);
+  }
+}
+
+std::vector<DrawnChart> StudyResults::charts() const {
+  std::vector<DrawnChart> charts;
+  if (summary_.state != "finished") return charts;
+  for (const Chart& chart : spec_.charts) charts.push_back(chart_in(folder_, chart));
+  return charts;
+}
+
+ImageParams StudyResults::image(size_t cell, size_t picture) const {
+  const size_t view = picture / spec_.show.size();
+  return view_settings(spec_, make_cell(spec_, cell), view).image;
 }
 
 void StudyResults::forget_data() {
@@ -100,6 +135,7 @@ bool StudyResults::refresh() {
     const nlohmann::json manifest = read_manifest(folder_);
     summary_ = summary_of(manifest);
     replaced_ = text_entry(manifest, "spec") != spec_text_;
+    weigh();
   } catch (const Error&) {  // gone meanwhile: what is known stays
   }
   return changed;

@@ -12,6 +12,7 @@
 
 #include "studies/report/grid.h"
 #include "studies/sweep/spec.h"
+#include "studies/sweep/study_charts.h"
 
 namespace inkbench {
 
@@ -48,6 +49,11 @@ class StudyResults {
     return (page * rows_.values.size() + row) * columns_.values.size() + column;
   }
 
+  /// The spec's charts, once the study is finished: only then they are drawn.
+  std::vector<DrawnChart> charts() const;
+  /// What the folder took on the disk when the study finished; 0 before.
+  uintmax_t bytes() const { return bytes_; }
+
   size_t done() const { return rows_of_data_.size() - failed_; }
   size_t failed() const { return failed_; }
   bool has(size_t cell) const { return rows_of_data_.contains(cell); }
@@ -59,6 +65,9 @@ class StudyResults {
   /// A cell's file; empty while it is not there.
   std::filesystem::path picture(size_t cell, size_t picture) const;
 
+  /// The size at which a cell's picture is drawn.
+  ImageParams image(size_t cell, size_t picture) const;
+
   /// "ink", "f1", ...
   const std::vector<std::string>& numbers() const { return numbers_; }
   /// A cell's number as data.csv has it; "" where there is none.
@@ -69,6 +78,7 @@ class StudyResults {
   bool read_data();
   void take_row(std::vector<std::string> row);
   void forget_data();
+  void weigh();
 
   std::filesystem::path folder_;
   StudySummary summary_;
@@ -80,6 +90,7 @@ class StudyResults {
   std::map<std::string, size_t> header_;
   std::map<size_t, std::vector<std::string>> rows_of_data_;
   size_t failed_ = 0;
+  uintmax_t bytes_ = 0;
   ino_t data_file_ = 0;
   uintmax_t data_read_ = 0;  ///< Bytes taken in; a file that is written anew is another one.
 };

@@ -57,6 +57,15 @@ Program::Program(const std::string& vertex, const std::string& fragment, Program
   remember(vertex_source, fragment_source);
 }
 
+/// OpenGL keeps a deleted program for as long as it is the current one: who saves the current program and
+/// puts it back, as a window's toolkit does, would put back one that is gone by then.
+void Program::destroy(GLuint id) {
+  GLint current = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &current);
+  if (static_cast<GLuint>(current) == id) glUseProgram(0);
+  glDeleteProgram(id);
+}
+
 bool Program::reload_if_changed(const GeneratedSources& generated) {
   const Key times = changes();
   if (times == file_times_) return false;

@@ -39,7 +39,7 @@ class Program {
   void use() const { glUseProgram(name_.id()); }
 
  private:
-  static void destroy(GLuint id) { glDeleteProgram(id); }
+  static void destroy(GLuint id);
   using Name = GlName<&Program::destroy>;
 
   void reload(const GeneratedSources& generated);

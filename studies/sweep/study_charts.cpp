@@ -31,12 +31,16 @@ void draw(const Chart& chart, const CsvTable& table, const DrawnChart& drawn) {
 
 }  // namespace
 
+DrawnChart chart_in(const fs::path& folder, const Chart& chart) {
+  const std::string stem = (folder / "charts" / chart.name).string();
+  return {chart.name, chart.title, stem + ".svg", stem + ".png", stem + ".gp"};
+}
+
 std::vector<DrawnChart> draw_study_charts(const StudySpec& spec, const fs::path& folder,
                                           std::vector<std::string>& failures) {
   std::vector<DrawnChart> result;
   for (const Chart& chart : spec.charts) {
-    const std::string stem = (folder / "charts" / chart.name).string();
-    DrawnChart drawn{chart.name, chart.title, stem + ".svg", stem + ".png", stem + ".gp"};
+    DrawnChart drawn = chart_in(folder, chart);
     try {
       draw(chart, parse_csv(read_file(folder / "data.csv")), drawn);
       result.push_back(std::move(drawn));

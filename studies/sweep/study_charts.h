@@ -14,6 +14,9 @@ struct DrawnChart {
   std::filesystem::path svg, png, script;
 };
 
+/// The files of one of the study's charts, whether they are there or not.
+DrawnChart chart_in(const std::filesystem::path& folder, const Chart& chart);
+
 /// Reads `folder`/data.csv and writes charts/NAME.gp, .svg and .png. What fails is told in `failures`; a
 /// chart that failed has no pictures but, if it got that far, its script. The others are returned.
 std::vector<DrawnChart> draw_study_charts(const StudySpec& spec, const std::filesystem::path& folder,

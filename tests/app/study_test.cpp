@@ -2,6 +2,7 @@
 #include <fstream>
 #include <thread>
 
+#include "pipeline/image/image_file.h"
 #include "tests/app/app_test.h"
 #include "tests/cli/command.h"
 
@@ -130,6 +131,43 @@ class AppStudy : public AppTest {
     return Json::parse(result.out.substr(at, result.out.find('\n', at) - at));
   }
 };
+
+TEST_F(AppStudy, charts_of_a_finished_study_are_shown) {
+  open_small();
+  write("lines.toml",
+        "title = \"lines\"\nscene = \"scene.toml\"\nshow = [\"final\"]\n"
+        "[[axis]]\nkey = \"combine.k_normal\"\nvalues = [0.01, 0.1, 0.4]\n"
+        "[[chart]]\nname = \"ink\"\ntitle = \"Ink\"\nx = \"combine.k_normal\"\ny = \"ink\"\n");
+  open_by_dialog("lines.toml");
+  wait_for("the spec", [&](const Json& now) { return now["studies"]["form"].is_object(); });
+  click("run study");
+  wait_for_study("lines", "finished");
+  click("show charts");
+  place("chart:ink");  // once it rests
+  settled();
+  keys("F12");
+  const Json saved = wait_for("the screenshot", [](const Json& now) {
+    return !now["log"].empty() && now["log"].back().get<std::string>().starts_with("saved ");
+  });
+  const std::string note = saved["log"].back();
+  const Picture window = read_picture(note.substr(note.find('/')), 3);
+  const auto rect = saved["ui"]["chart:ink"].get<std::vector<double>>();
+  EXPECT_GT(rect[2] - rect[0], 300) << "as wide as the room";
+  int white = 0, inked = 0;
+  const int bottom = std::min(static_cast<int>(rect[3]), window.height_px);
+  for (int y = static_cast<int>(rect[1]) + 2; y < bottom - 2; ++y) {
+    for (int x = static_cast<int>(rect[0]) + 2; x < static_cast<int>(rect[2]) - 2; ++x)
+      ++(window.at(x, y, 0) > 240 && window.at(x, y, 2) > 240 ? white : inked);
+  }
+  EXPECT_GT(white, 4 * inked) << "paper";
+  EXPECT_GT(inked, 300) << "axes, text and a curve";
+  fs::remove(results("lines") / "charts/ink.png");
+  click("show grid");
+  click("show charts");
+  wait_for("the missing chart", [](const Json& now) { return !now["ui"].contains("chart:ink"); });
+  click("show grid");
+  wait_for("the cells", [](const Json& now) { return now["ui"].contains("cell:1"); });
+}
 
 TEST_F(AppStudy, sweep_is_saved_as_a_spec_that_the_command_line_runs_unchanged) {
   open_small();

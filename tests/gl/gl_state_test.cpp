@@ -108,5 +108,19 @@ TEST(GlState, colour_mask_and_polygon_mode_do_not_matter) {
       });
 }
 
+TEST(GlState, deleted_programs_are_not_left_current) {
+  const auto current = [] {
+    GLint program = 0;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+    return program;
+  };
+  {
+    Pipeline pipeline;
+    pipeline.draw(small_scene(), BufferName::final);
+    EXPECT_NE(current(), 0) << "a pass leaves its program";
+  }
+  EXPECT_EQ(current(), 0);
+}
+
 }  // namespace
 }  // namespace inkbench

@@ -66,6 +66,38 @@ TEST_F(StudyResultsTest, grid_is_the_specs) {
   EXPECT_EQ(make_cell(results.spec(), results.cell_at(2, 1, 0)).name, "k_depth = 0.009, use_normal = false");
 }
 
+TEST_F(StudyResultsTest, charts_and_size_are_there_once_it_is_finished) {
+  const std::string spec = kSpec +
+                           "[[chart]]\nname = \"ink\"\ntitle = \"Ink\"\nx = \"combine.k_depth\"\n"
+                           "y = \"ink\"\nby = \"combine.use_normal\"\n";
+  write_manifest("running", spec);
+  StudyResults results(folder(), "");
+  EXPECT_EQ(results.charts().size(), 0U);
+  EXPECT_EQ(results.bytes(), 0U);
+  folder_.write("out/charts/ink.png", "abc");
+  write_manifest("finished", spec);
+  results.refresh();
+  ASSERT_EQ(results.charts().size(), 1U);
+  EXPECT_EQ(results.charts()[0].title, "Ink");
+  EXPECT_EQ(results.charts()[0].png, folder() / "charts/ink.png");
+  EXPECT_EQ(results.charts()[0].svg, folder() / "charts/ink.svg");
+  EXPECT_EQ(results.bytes(), 3 + kHead.size() + fs::file_size(folder() / "manifest.json"));
+}
+
+TEST_F(StudyResultsTest, size_of_a_cell_is_what_it_was_run_with) {
+  EXPECT_EQ(StudyResults(folder(), "").image(0, 0).width, paper_settings().image.width) << "not told";
+  Settings base = paper_settings();
+  base.image.width = 48;
+  base.image.height = 32;
+  nlohmann::json manifest{{"title", "A grid"}, {"state", "running"}, {"cells", 6}, {"spec_file", "s.toml"}};
+  manifest["spec"] = kSpec + "[[axis]]\nkey = \"image.width\"\nvalues = [64]\n";
+  manifest["base_settings"] = text(base);
+  folder_.write("out/manifest.json", manifest.dump());
+  const StudyResults results(folder(), "");
+  EXPECT_EQ(results.image(5, 1).width, 64) << "the cell's own";
+  EXPECT_EQ(results.image(5, 1).height, 32) << "of the base";
+}
+
 TEST_F(StudyResultsTest, cells_come_as_they_end) {
   StudyResults results(folder(), "");
   EXPECT_EQ(results.done(), 0U);
