@@ -4,16 +4,11 @@
 
 #include "app/window/picture_upload.h"
 #include "app/window/window.h"
-#include "pipeline/scene/settings_file.h"
 
 namespace inkbench {
 namespace {
 
 constexpr float kReferenceVeil = 0.55F, kMatchesVeil = 0.8F;
-
-Key edges_key(Pipeline& pipeline, const Settings& settings, const Key& lines) {
-  return KeyBuilder().add(pipeline.buffer_key(settings, BufferName::combined_edges)).add(lines).key();
-}
 
 JudgedView view_of(Pipeline& pipeline, const Settings& settings,
                    std::shared_ptr<const ReferenceLines> lines) {
@@ -34,7 +29,8 @@ JudgeDesk::JudgeDesk()
 
 void JudgeDesk::refresh_measures(Pipeline& pipeline, const Settings& settings, const FoundLines& lines,
                                  const FullView& full) {
-  const Key key = KeyBuilder().add(edges_key(pipeline, settings, lines.key)).add(full.key).key();
+  const Key edges = pipeline.buffer_key(settings, BufferName::combined_edges);
+  const Key key = KeyBuilder().add(edges).add(lines.key).add(full.key).key();
   if (key == asked_) {
     behind_ = !now_ || now_->id != last_id_;
     return;
@@ -45,18 +41,12 @@ void JudgeDesk::refresh_measures(Pipeline& pipeline, const Settings& settings, c
   asked_ = key;
 }
 
-void JudgeDesk::refresh_pinned(Pictures& pictures) {
-  if (!pictures.pinned_settings()) {
-    pinned_.reset();
-    pinned_key_ = {};
-    return;
-  }
-  const Settings& settings = *pictures.pinned_settings();
-  const Key key = KeyBuilder().add(settings_text(settings)).key();
-  if (key == pinned_key_) return;
-  pinned_key_ = key;
+void JudgeDesk::refresh_pinned(const JudgedView& view) {
+  if (view.edges == nullptr) pinned_.reset();
+  if (view.edges == pinned_edges_) return;
+  pinned_edges_ = view.edges;
   pinned_.reset();
-  pinned_judge_.submit({.view = view_of(pictures.pipeline(), settings, pictures.pinned_lines())});
+  if (view.edges != nullptr) pinned_judge_.submit({.view = view});
 }
 
 void JudgeDesk::take_results() {
@@ -78,7 +68,7 @@ void JudgeDesk::refresh(Pictures& pictures, const Settings& settings, Wanted wan
     refresh_measures(pictures.pipeline(), settings, *reference.now(), full);
     behind_ |= full_mesh_.is_behind();
   }
-  if (!hurry) refresh_pinned(pictures);
+  refresh_pinned(pictures.pinned_view());
 }
 
 bool JudgeDesk::take_news() {

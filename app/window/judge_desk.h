@@ -25,7 +25,7 @@ class JudgeDesk {
   };
 
   /// Takes in what was measured and asks for what is not up to date. `hurry`: something is being dragged, so
-  /// that the pinned state waits. Errors (input, work): as `Pictures::refresh`.
+  /// that the full mesh's lines wait. Errors (input, work): as `Pictures::refresh`.
   void refresh(Pictures& pictures, const Settings& settings, Wanted wanted, bool hurry);
 
   /// The newest measures, perhaps of settings a moment ago; null before the first ones.
@@ -43,10 +43,11 @@ class JudgeDesk {
  private:
   void refresh_measures(Pipeline& pipeline, const Settings& settings, const FoundLines& lines,
                         const FullView& full);
-  void refresh_pinned(Pictures& pictures);
+  void refresh_pinned(const JudgedView& view);
   void take_results();
 
-  Key asked_, pinned_key_;
+  Key asked_;
+  std::shared_ptr<const Image> pinned_edges_;  ///< That were asked for last.
   uint64_t last_id_ = 0;
   bool behind_ = false;
   std::optional<Judgement> now_, pinned_;

@@ -119,7 +119,8 @@ void Pictures::pin(const Settings& settings) {
     pinned_[i].texture = &pinned_textures_[i];
     pinned_[i].key = KeyBuilder().add("pinned").add(now_[i].key).key();
   }
-  pinned_lines_ = reference_.now()->lines;
+  pinned_view_ = {std::make_shared<Image>(pipeline_.raw(settings, BufferName::combined_edges)),
+                  reference_.now()->lines};
   pinned_settings_ = settings;
   throw_gl_errors("pinning the pictures");
 }
@@ -127,7 +128,7 @@ void Pictures::pin(const Settings& settings) {
 void Pictures::unpin() {
   pinned_ = {};
   for (Texture& texture : pinned_textures_) texture = Texture();
-  pinned_lines_.reset();
+  pinned_view_ = {};
   pinned_settings_.reset();
 }
 

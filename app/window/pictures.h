@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/window/reference_desk.h"
+#include "app/workbench/live_judge.h"
 #include "pipeline/pipeline.h"
 #include "studies/reference/buffer_source.h"
 
@@ -57,8 +58,8 @@ class Pictures {
   void pin(const Settings& settings);
   void unpin();
   const std::optional<Settings>& pinned_settings() const { return pinned_settings_; }
-  /// Null where nothing is pinned.
-  const std::shared_ptr<const ReferenceLines>& pinned_lines() const { return pinned_lines_; }
+  /// The pinned state's edges and reference lines; empty where nothing is pinned.
+  const JudgedView& pinned_view() const { return pinned_view_; }
 
   Pipeline& pipeline() { return pipeline_; }
   const Pipeline& pipeline() const { return pipeline_; }
@@ -79,7 +80,7 @@ class Pictures {
   std::array<Stage<ShownRange>, kBufferCount> ranges_;
   std::array<Texture, kBufferCount> pinned_textures_;
   std::optional<Settings> pinned_settings_;
-  std::shared_ptr<const ReferenceLines> pinned_lines_;
+  JudgedView pinned_view_;
   ReferenceDesk reference_{source_};
 };
 

@@ -122,6 +122,8 @@ TEST_F(AppJudge, pinned_state_keeps_its_measures) {
   const Json now = measured();
   EXPECT_EQ(now["judge"]["pinned"], first["judge"]["now"]);
   EXPECT_NE(now["judge"]["now"], first["judge"]["now"]);
+  EXPECT_EQ(now["passes"]["combine"]["runs"], first["passes"]["combine"]["runs"].get<long>() + 1)
+      << "the pinned edges are kept";
 }
 
 TEST_F(AppJudge, nothing_is_measured_that_nobody_sees) {
