@@ -4,20 +4,12 @@
 
 #include <optional>
 
+#include "app/panels/study_grid_plan.h"
 #include "app/window/studies.h"
 #include "app/window/thumbnails.h"
 #include "app/window/workbench.h"
 
 namespace inkbench {
-
-/// What of the results is shown.
-struct GridChoice {
-  size_t picture = 0;  ///< Of each cell's pictures.
-  size_t page = 0;
-  std::optional<size_t> number;  ///< Below each cell.
-  float zoom = 1.0F;             ///< 1 fits the grid into the room.
-  std::optional<size_t> taken;   ///< The cell whose parameters were taken over last.
-};
 
 /// How far a grid is enlarged at most.
 constexpr float kLargestGrid = 40.0F;

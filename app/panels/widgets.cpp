@@ -73,6 +73,10 @@ void fitted_text(std::string_view text, float width, ImU32 colour) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
 }
 
+float text_width(const std::string& text) {
+  return ImGui::CalcTextSize(text.c_str()).x;
+}
+
 float draw_fitted_text(ImDrawList& list, ImVec2 place, float width, ImU32 colour, std::string_view text) {
   const std::string shown = width_of(text) <= width ? std::string(text) : shortened(text, width);
   list.AddText(place, colour, shown.data(), shown.data() + shown.size());

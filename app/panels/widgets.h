@@ -21,6 +21,9 @@ void wrapped_text(std::string_view text, ImU32 colour);
 /// Text that is cut with "..." where it would be wider than `width`; hovering shows all of it.
 void fitted_text(std::string_view text, float width, ImU32 colour);
 
+/// In the present font, in pixels.
+float text_width(const std::string& text);
+
 /// As `fitted_text`, drawn without taking space. Returns the width it took.
 float draw_fitted_text(ImDrawList& list, ImVec2 place, float width, ImU32 colour, std::string_view text);
 

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <imgui_internal.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -244,9 +245,18 @@ void WindowLoop::run() {
   if (options_.drag_frames == 0) keeping_.close(bench_);
 }
 
+/// Left to itself glibc learns to keep large blocks: a mesh that went would leave its memory taken.
+void give_large_blocks_back() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 1 << 20);
+#endif
+}
+
 }  // namespace
 
 void run_window(const WindowOptions& options) {
+  give_large_blocks_back();
   WindowLoop loop(options);
   loop.run();
 }
