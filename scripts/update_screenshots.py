@@ -83,9 +83,6 @@ class Window:
         for key in keys:
             self.input("key", key)
 
-    def type(self, text):
-        self.input("type", "--delay", "20", text)
-
     def place(self, widget, across=0.5, down=0.5):
         self.wait(f"the widget {widget}", lambda state: widget in state["ui"])
         left, top, right, bottom = self.state()["ui"][widget]

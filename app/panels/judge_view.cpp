@@ -141,12 +141,14 @@ void draw_recall(const Judgement& now, const Judgement* then) {
   }
 }
 
-/// Of a level of the mesh: which part of a loss is the geometry's.
-void draw_ladder(const Judgement& now, const Judgement* then) {
-  if (!now.ladder) return;
+/// Of a level of the mesh: which part of a loss is the geometry's. While the full mesh's lines are being
+/// found the rows stay.
+void draw_ladder(const Workbench& bench, const Judgement& now, const Judgement* then) {
+  if (!bench.drawn_settings() || bench.drawn_settings()->mesh == MeshParams{}) return;
   heading("Against the full mesh");
   for (const LadderMeasureInfo& info : ladder_measure_list()) {
-    Row row{info.key, info.help, info.value(*now.ladder)};
+    Row row{info.key, info.help};
+    if (now.ladder) row.now = info.value(*now.ladder);
     if (then != nullptr && then->ladder) row.then = info.value(*then->ladder);
     row.more_is_better = info.more_is_better;
     draw_row(row, then != nullptr);
@@ -188,9 +190,11 @@ void JudgeView::draw_state(Workbench& bench) {
   if (judge.now() != nullptr)
     text = fmt::format("{}{:.0f} ms", judge.pinned() == nullptr ? "measured in " : "",
                        1e3 * judge.now()->seconds);
-  if (waits) text = "measuring…";
-  if (judge.pinned() != nullptr)
+  if (waits) {
+    text = "measuring…";
+  } else if (judge.pinned() != nullptr) {
     text += is_same_view(bench) ? ", changes since the pin" : ", the pin is of another view";
+  }
   fitted_text(text, ImGui::GetContentRegionAvail().x, theme().faint);
   ImGui::Dummy({0, scaled(1)});
 }
@@ -212,7 +216,7 @@ void JudgeView::draw(Workbench& bench) {
   }
   if (then != nullptr && (!then->error.empty() || then->measures.empty)) then = nullptr;
   draw_shares(*now, then);
-  draw_ladder(*now, then);
+  draw_ladder(bench, *now, then);
   draw_recall(*now, then);
   draw_others(*now, then);
 }
