@@ -10,6 +10,7 @@ struct Rest {
   ImVec2 low, high;
   double since = 0.0;
   int frame = -1;
+  bool was_pressed = false;  ///< Who uses an item knows it: its help would lie over what changes.
 };
 
 Rest& rest() {
@@ -30,16 +31,18 @@ double hover_seconds() {
   Rest& now = rest();
   const int frame = ImGui::GetFrameCount();
   const bool same = is_same_place(low, now.low) && is_same_place(high, now.high) && frame - now.frame <= 1;
-  if (!same || ImGui::IsAnyMouseDown()) now.since = ImGui::GetTime();
+  if (!same) now.since = ImGui::GetTime();
+  now.was_pressed = (same && now.was_pressed) || ImGui::IsAnyMouseDown();
   now.low = low;
   now.high = high;
   now.frame = frame;
-  return ImGui::GetTime() - now.since;
+  return now.was_pressed ? -1.0 : ImGui::GetTime() - now.since;
 }
 
 bool is_hover_pending() {
   const Rest& now = rest();
-  return now.frame == ImGui::GetFrameCount() && ImGui::GetTime() - now.since < kHelpDelay;
+  const bool waits = now.frame == ImGui::GetFrameCount() && !now.was_pressed;
+  return waits && ImGui::GetTime() - now.since < kHelpDelay;
 }
 
 }  // namespace inkbench

@@ -33,9 +33,11 @@ std::string value_text(const std::optional<double>& value, bool is_count) {
   return is_count ? with_commas(std::llround(*value)) : fmt::format("{:.3f}", *value);
 }
 
+/// "" where the change would read as none.
 std::string change_text(const std::optional<double>& now, const std::optional<double>& then, bool is_count) {
-  if (!now || !then || *now == *then) return "";
+  if (!now || !then) return "";
   const double change = *now - *then;
+  if (std::abs(change) < (is_count ? 0.5 : 0.0005)) return "";
   return is_count ? fmt::format("{:+.0f}", change) : fmt::format("{:+.3f}", change);
 }
 
@@ -180,6 +182,7 @@ bool is_same_view(Workbench& bench) {
 }  // namespace
 
 void JudgeView::draw_state(Workbench& bench) {
+  pin_compares_ = bench.judge.pinned() != nullptr && is_same_view(bench);
   const JudgeDesk& judge = bench.judge;
   const double time = ImGui::GetTime();
   if (!judge.is_behind()) behind_since_ = -1.0;
@@ -193,7 +196,7 @@ void JudgeView::draw_state(Workbench& bench) {
   if (waits) {
     text = "measuring…";
   } else if (judge.pinned() != nullptr) {
-    text += is_same_view(bench) ? ", changes since the pin" : ", the pin is of another view";
+    text += pin_compares_ ? ", changes since the pin" : ", the pin is of another view";
   }
   fitted_text(text, ImGui::GetContentRegionAvail().x, theme().faint);
   ImGui::Dummy({0, scaled(1)});
@@ -214,7 +217,8 @@ void JudgeView::draw(Workbench& bench) {
                  theme().faint);
     return;
   }
-  if (then != nullptr && (!then->error.empty() || then->measures.empty)) then = nullptr;
+  const bool compares = pin_compares_ && then != nullptr && then->error.empty() && !then->measures.empty;
+  if (!compares) then = nullptr;
   draw_shares(*now, then);
   draw_ladder(bench, *now, then);
   draw_recall(*now, then);

@@ -15,6 +15,7 @@ class JudgeView {
   void draw_state(Workbench& bench);
 
   double behind_since_ = -1.0;
+  bool pin_compares_ = false;  ///< Changes of another view's measures would be the camera's.
 };
 
 }  // namespace inkbench

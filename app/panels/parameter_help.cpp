@@ -26,6 +26,11 @@ std::string limits_text(const Field& field) {
   return text;
 }
 
+std::string shown_text(const Field& field, const Value& value) {
+  const std::string text = to_text(value);
+  return text == "0" && !field.zero_text.empty() ? std::string(field.zero_text) : text;
+}
+
 std::string how_text(const Field& field) {
   if (is_number(field)) return "Drag, Shift for finer steps. Ctrl+click types. Right click resets.";
   return "Right click resets.";
@@ -50,7 +55,7 @@ void help_for_parameter(const RowContext& row) {
   ImGui::TextUnformatted(row.field->help.data(), row.field->help.data() + row.field->help.size());
   ImGui::Dummy({0, scaled(1)});
   if (is_number(*row.field)) line("Limits", limits_text(*row.field));
-  if (row.value != row.baseline) line("Was", to_text(row.baseline));
+  if (row.value != row.baseline) line("Was", shown_text(*row.field, row.baseline));
   if (!row.field->matters_when.empty()) {
     const std::string text = "Matters when " + std::string(row.field->matters_when);
     coloured_text(row.matters ? theme().faint : theme().warning, text);

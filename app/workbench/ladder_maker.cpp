@@ -19,6 +19,6 @@ MadeLadder make_ladder(const LadderRequest& request, const StopAsked& stop) {
 }  // namespace
 
 LadderMaker::LadderMaker(std::function<void()> on_done)
-    : LatestWorker(make_ladder, WhenNewer::give_up, std::move(on_done)) {}
+    : LatestWorker(make_ladder, WhenNewer::give_up, WorkPriority::as_window, std::move(on_done)) {}
 
 }  // namespace inkbench

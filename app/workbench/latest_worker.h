@@ -1,5 +1,5 @@
 // Work beside the window, for the newest request: what waits is replaced. In: requests, as values. Out:
-// results, one at a time; the window never waits for one, and goes first where processors are few.
+// results, one at a time; the window never waits for one.
 #pragma once
 
 #include <sys/resource.h>
@@ -19,6 +19,9 @@ namespace inkbench {
 /// What becomes of the request in work when a newer one comes.
 enum class WhenNewer { finish, give_up };
 
+/// `below`: what follows a slider lets the window go first where processors are few.
+enum class WorkPriority { as_window, below };
+
 template <class Request, class Result>
 class LatestWorker {
  public:
@@ -27,12 +30,12 @@ class LatestWorker {
   using Work = std::function<Result(const Request&, const StopAsked&)>;
 
   /// `on_done` is called on the worker's thread after each result: to wake a window that sleeps.
-  LatestWorker(Work work, WhenNewer when_newer, std::function<void()> on_done)
+  LatestWorker(Work work, WhenNewer when_newer, WorkPriority priority, std::function<void()> on_done)
       : work_(std::move(work)),
         gives_up_(when_newer == WhenNewer::give_up),
         on_done_(std::move(on_done)),
-        thread_([this] {
-          step_back();
+        thread_([this, priority] {
+          if (priority == WorkPriority::below) step_back();
           serve();
         }) {}
   LatestWorker(const LatestWorker&) = delete;
@@ -77,7 +80,7 @@ class LatestWorker {
 
   /// On Linux each thread has a priority of its own.
   static void step_back() {
-    constexpr int kNice = 10;
+    constexpr int kNice = 5;
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
   }
 

@@ -75,6 +75,6 @@ Judgement judge_or_say_why(const JudgeRequest& request, const StopAsked& stop) {
 }  // namespace
 
 LiveJudge::LiveJudge(std::function<void()> on_done)
-    : LatestWorker(judge_or_say_why, WhenNewer::finish, std::move(on_done)) {}
+    : LatestWorker(judge_or_say_why, WhenNewer::finish, WorkPriority::below, std::move(on_done)) {}
 
 }  // namespace inkbench

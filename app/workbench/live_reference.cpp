@@ -46,6 +46,6 @@ LiveReference::LiveReference(std::shared_ptr<LineFinder> finder, std::function<v
           [finder = std::move(finder)](const LineRequest& request, const StopAsked& stop) {
             return find_or_say_why(*finder, request, stop);
           },
-          WhenNewer::finish, std::move(on_done)) {}
+          WhenNewer::finish, WorkPriority::below, std::move(on_done)) {}
 
 }  // namespace inkbench

@@ -15,8 +15,15 @@ namespace inkbench {
 namespace {
 
 constexpr int kChunk = 60;
-constexpr long kSpareKb = 96 << 10;  // caches fill as the events come by; a leak of 20 kB an event is more
-constexpr int kLargestSide = 400;    // px; larger pictures would test the renderer's patience
+/// What the last state may take more than every one of the first half: a large mesh with its levels, its
+/// lines and the full mesh's own passes. A leak of 32 kB an event is more. Sanitizers double what is
+/// allocated.
+#ifdef __SANITIZE_ADDRESS__
+constexpr long kSpareKb = 320 << 10;
+#else
+constexpr long kSpareKb = 160 << 10;
+#endif
+constexpr int kLargestSide = 400;  // px; larger pictures would test the renderer's patience
 
 long from_environment(const char* name, long otherwise) {
   const char* text = std::getenv(name);
