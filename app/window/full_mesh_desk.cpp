@@ -9,11 +9,15 @@ void FullMeshDesk::forget() {
   behind_ = false;
 }
 
-bool FullMeshDesk::refresh_lines(const Settings& full, bool hurry) {
+bool FullMeshDesk::refresh_lines(MeshStore& meshes, const Settings& full, bool hurry) {
   ReferenceDesk& reference = own_->reference;
   const bool is_other =
       reference.now() == nullptr || reference.now()->key != own_->source.reference_key(full);
   if (is_other && hurry) return false;
+  // Only what is drawn next: meshes that nobody draws would pile up while a model's shape is dragged.
+  for (const ModelParams& model : full.models) {
+    if (is_other && model.visible) own_->pipeline.meshes().share_full(meshes, model);
+  }
   reference.refresh(full);
   return !reference.is_behind();
 }
@@ -26,10 +30,7 @@ FullView FullMeshDesk::refresh(BufferSource& source, const Settings& settings, b
   if (!own_) own_ = std::make_unique<Own>(source.finder());
   Settings full = settings;
   full.mesh = {};
-  for (const ModelParams& model : full.models) {
-    if (model.visible) own_->pipeline.meshes().share_full(source.pipeline().meshes(), model);
-  }
-  behind_ = !refresh_lines(full, hurry);
+  behind_ = !refresh_lines(source.pipeline().meshes(), full, hurry);
   if (behind_) return {};
   const Key key = own_->pipeline.buffer_key(full, BufferName::combined_edges);
   const auto& edges = edges_.get(key, [&] {

@@ -39,7 +39,7 @@ class FullMeshDesk {
     BufferSource source;
     ReferenceDesk reference{source};
   };
-  bool refresh_lines(const Settings& full, bool hurry);
+  bool refresh_lines(MeshStore& meshes, const Settings& full, bool hurry);
 
   std::unique_ptr<Own> own_;
   Stage<std::shared_ptr<const Image>> edges_;
