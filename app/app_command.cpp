@@ -2,10 +2,10 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/run_window.h"
 #include "app/size_option.h"
-#include "app/window/run_window.h"
 #include "pipeline/base/files.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {

@@ -10,10 +10,11 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
-#include "pipeline/mesh/collapse_record_file.h"
-#include "pipeline/mesh/level_normals.h"
-#include "pipeline/mesh/mesh_file.h"
-#include "pipeline/mesh/mesh_write.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/formats/mesh_write.h"
+#include "pipeline/mesh/levels/collapse_record_file.h"
+#include "pipeline/mesh/levels/level_normals.h"
+#include "pipeline/mesh/levels/model_mesh.h"
 #include "pipeline/mesh/weld.h"
 
 namespace inkbench {
@@ -46,7 +47,7 @@ std::vector<size_t> parse_face_counts(const std::string& list) {
 
 LevelNormals parse_normals(const std::string& name) {
   size_t i = 0;
-  while (kLevelNormalsNames[i] != name) ++i;  // CLI11 lets only these pass
+  while (ChoiceNames<LevelNormals>::names[i] != name) ++i;  // CLI11 lets only these pass
   return static_cast<LevelNormals>(i);
 }
 
@@ -59,12 +60,11 @@ std::string remark(size_t asked, size_t reached, size_t loaded) {
 
 void decimate(const DecimateOptions& options) {
   const std::vector<size_t> counts = parse_face_counts(options.faces);
-  const bool is_rabbit = options.mesh == "rabbit";
-  Mesh mesh = load_mesh_file(is_rabbit ? find_rabbit() : fs::path(options.mesh));
+  Mesh mesh = load_mesh_file(mesh_path(options.mesh));
   if (options.weld > 0.0F) mesh = weld(mesh, options.weld).mesh;
   for (const std::string& note : mesh.notes) log_note(options.mesh + ": " + note);
   const CollapseRecord record = cached_collapse_record(mesh);
-  const std::string stem = is_rabbit ? "rabbit" : fs::path(options.mesh).stem().string();
+  const std::string stem = options.mesh == kRabbit ? options.mesh : fs::path(options.mesh).stem().string();
   const LevelNormals normals = parse_normals(options.normals);
   make_folder(options.out);
   for (const size_t asked : counts) {

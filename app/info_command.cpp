@@ -4,7 +4,7 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/gl/context.h"
-#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/formats/mesh_file.h"
 
 namespace inkbench {
 namespace {

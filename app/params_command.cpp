@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "pipeline/scene/params_table.h"
+#include "pipeline/settings/params_table.h"
 
 namespace inkbench {
 

@@ -10,9 +10,9 @@
 #include "pipeline/base/text.h"
 #include "pipeline/export.h"
 #include "pipeline/gl/context.h"
-#include "pipeline/scene/replace_mesh.h"
-#include "pipeline/scene/settings_file.h"
-#include "studies/reference/buffer_source.h"
+#include "pipeline/mesh/levels/replace_mesh.h"
+#include "pipeline/settings/settings_file.h"
+#include "studies/judging/buffer_source.h"
 
 namespace inkbench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

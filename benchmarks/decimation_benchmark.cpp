@@ -3,11 +3,11 @@
 // at most 1.3, level at most 10 ms.
 #include <benchmark/benchmark.h>
 
-#include "pipeline/mesh/collapse_record_file.h"
-#include "pipeline/mesh/decimation.h"
-#include "pipeline/mesh/level_normals.h"
-#include "pipeline/mesh/mesh_file.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/levels/collapse_record_file.h"
+#include "pipeline/mesh/levels/decimation.h"
+#include "pipeline/mesh/levels/level_normals.h"
+#include "pipeline/mesh/shapes/primitives.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/gl/context.h"
 #include "pipeline/pipeline.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 #include "studies/measures/components.h"
 #include "studies/measures/distance.h"
 #include "studies/measures/matching.h"

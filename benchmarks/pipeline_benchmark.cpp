@@ -9,7 +9,7 @@
 #include "pipeline/export.h"
 #include "pipeline/gl/context.h"
 #include "pipeline/pipeline.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace {
 

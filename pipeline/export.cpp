@@ -1,7 +1,7 @@
 #include "pipeline/export.h"
 
 #include "pipeline/base/error.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {

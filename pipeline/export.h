@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
+#include "pipeline/flow/buffer_names.h"
 #include "pipeline/image/image_file.h"
-#include "pipeline/passes/buffer_names.h"
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

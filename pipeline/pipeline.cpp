@@ -5,6 +5,7 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/gl/context.h"
+#include "pipeline/mesh/levels/model_mesh.h"
 #include "pipeline/params/glsl_block.h"
 
 namespace inkbench {

@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/pass_observer.h"
-#include "pipeline/passes/buffer_names.h"
-#include "pipeline/passes/combine.h"
-#include "pipeline/passes/gbuffer.h"
-#include "pipeline/passes/gradient.h"
-#include "pipeline/passes/ink.h"
-#include "pipeline/passes/picture.h"
-#include "pipeline/passes/quantise.h"
-#include "pipeline/passes/range.h"
-#include "pipeline/passes/shade.h"
-#include "pipeline/scene/settings.h"
-#include "pipeline/stage.h"
+#include "pipeline/flow/buffer_names.h"
+#include "pipeline/flow/pass_observer.h"
+#include "pipeline/flow/stage.h"
+#include "pipeline/passes/edges/combine.h"
+#include "pipeline/passes/edges/gradient.h"
+#include "pipeline/passes/edges/range.h"
+#include "pipeline/passes/gbuffer/gbuffer.h"
+#include "pipeline/passes/gbuffer/quantise.h"
+#include "pipeline/passes/ink/ink.h"
+#include "pipeline/passes/light/shade.h"
+#include "pipeline/passes/picture/picture.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "app/workbench/ladder_maker.h"
-#include "pipeline/passes/gpu_mesh.h"
-#include "pipeline/scene/settings.h"
+#include "pipeline/passes/gbuffer/gpu_mesh.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

@@ -4,9 +4,9 @@
 #include "app/window/workbench.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
-#include "pipeline/mesh/mesh_file.h"
-#include "pipeline/scene/replace_mesh.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/levels/replace_mesh.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/pass_observer.h"
+#include "pipeline/flow/pass_observer.h"
 
 namespace inkbench {
 

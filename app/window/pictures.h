@@ -10,7 +10,7 @@
 #include "app/window/reference_desk.h"
 #include "app/workbench/live_judge.h"
 #include "pipeline/pipeline.h"
-#include "studies/reference/buffer_source.h"
+#include "studies/judging/buffer_source.h"
 
 namespace inkbench {
 

@@ -8,7 +8,7 @@
 
 #include "app/workbench/live_reference.h"
 #include "pipeline/gl/texture.h"
-#include "studies/reference/buffer_source.h"
+#include "studies/judging/buffer_source.h"
 
 namespace inkbench {
 

@@ -11,7 +11,7 @@
 #include "app/workbench/user_folder.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {

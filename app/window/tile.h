@@ -6,10 +6,10 @@
 #include <map>
 #include <string>
 
+#include "pipeline/flow/pass_observer.h"
+#include "pipeline/flow/stage.h"
 #include "pipeline/gl/program.h"
 #include "pipeline/gl/texture.h"
-#include "pipeline/pass_observer.h"
-#include "pipeline/stage.h"
 
 namespace inkbench {
 

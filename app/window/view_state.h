@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "pipeline/passes/buffer_names.h"
+#include "pipeline/flow/buffer_names.h"
 
 namespace inkbench {
 

@@ -7,7 +7,7 @@
 #include "app/window/word_list.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/log.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {

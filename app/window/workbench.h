@@ -24,7 +24,7 @@
 #include "app/workbench/history.h"
 #include "app/workbench/opened_file.h"
 #include "app/workbench/window_layout.h"
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

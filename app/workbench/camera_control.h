@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "pipeline/mesh/mesh.h"
-#include "pipeline/scene/camera.h"
+#include "pipeline/settings/camera.h"
 
 namespace inkbench {
 

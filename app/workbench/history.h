@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/workbench/param_changes.h"
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

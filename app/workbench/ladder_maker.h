@@ -7,7 +7,7 @@
 
 #include "app/workbench/latest_worker.h"
 #include "pipeline/base/key.h"
-#include "pipeline/scene/mesh_ladder.h"
+#include "pipeline/mesh/levels/mesh_ladder.h"
 
 namespace inkbench {
 

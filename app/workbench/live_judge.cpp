@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "pipeline/base/error.h"
-#include "studies/reference/measured_lines.h"
+#include "studies/judging/measured_lines.h"
 
 namespace inkbench {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 
 #include "app/workbench/latest_worker.h"
+#include "pipeline/lines/reference_lines.h"
 #include "studies/measures/match_maps.h"
 #include "studies/measures/measures.h"
-#include "studies/reference/reference_lines.h"
 
 namespace inkbench {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "studies/reference/drawing.h"
+#include "pipeline/lines/drawing.h"
 
 namespace inkbench {
 namespace {

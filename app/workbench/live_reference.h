@@ -8,7 +8,7 @@
 
 #include "app/workbench/latest_worker.h"
 #include "pipeline/image/image.h"
-#include "studies/reference/line_finder.h"
+#include "pipeline/lines/line_finder.h"
 
 namespace inkbench {
 

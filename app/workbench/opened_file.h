@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include "pipeline/passes/buffer_names.h"
-#include "pipeline/scene/settings.h"
+#include "pipeline/flow/buffer_names.h"
+#include "pipeline/settings/settings.h"
 #include "studies/sweep/spec.h"
 
 namespace inkbench {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "pipeline/image/image.h"
-#include "pipeline/passes/combine_params.h"
-#include "pipeline/passes/image_params.h"
+#include "pipeline/settings/combine_params.h"
+#include "pipeline/settings/image_params.h"
 
 namespace inkbench {
 

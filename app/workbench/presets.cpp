@@ -11,7 +11,7 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 #include "studies/sweep/spec.h"
 
 namespace inkbench {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 
-#include "pipeline/scene/ramp.h"
+#include "pipeline/settings/ramp.h"
 
 namespace inkbench {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "pipeline/params/toml_document.h"
-#include "pipeline/scene/ramp.h"
+#include "pipeline/settings/ramp.h"
 
 namespace inkbench {
 

@@ -2,13 +2,13 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {
 
 std::string absolute_text(const std::string& path) {
-  if (path.empty() || path == "rabbit") return path;
+  if (path.empty() || path == kRabbit) return path;
   return fs::absolute(path).lexically_normal().string();
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/workbench/window_layout.h"
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

@@ -9,7 +9,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 #include "studies/report/csv.h"
 #include "studies/sweep/number_columns.h"
 #include "studies/sweep/study_grid.h"

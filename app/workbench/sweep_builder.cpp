@@ -11,7 +11,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
 #include "pipeline/params/toml_value.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {

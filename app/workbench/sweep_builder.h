@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/passes/buffer_names.h"
-#include "pipeline/scene/settings.h"
+#include "pipeline/flow/buffer_names.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

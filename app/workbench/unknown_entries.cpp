@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 namespace {

@@ -1,5 +1,7 @@
 #include "pipeline/mesh/mesh.h"
 
+#include <cmath>
+
 #include <glm/common.hpp>
 
 namespace inkbench {
@@ -14,6 +16,10 @@ Bounds bounds_of(const Mesh& mesh) {
     }
   }
   return bounds;
+}
+
+bool is_finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 }  // namespace inkbench

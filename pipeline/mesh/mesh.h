@@ -25,4 +25,7 @@ struct Bounds {
 /// The axis-aligned box around the points that triangles use; without triangles, the origin.
 Bounds bounds_of(const Mesh& mesh);
 
+/// No component is NaN or infinite.
+bool is_finite(const glm::vec3& v);
+
 }  // namespace inkbench

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/normals.h"
 
 namespace inkbench {
 namespace {

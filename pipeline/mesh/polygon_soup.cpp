@@ -11,7 +11,8 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
-#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/normals.h"
 #include "pipeline/mesh/triangulate.h"
 
 namespace inkbench {
@@ -34,10 +35,6 @@ std::string counted(uint64_t count, const std::string& one, const std::string& m
 
 std::string faces(uint64_t count) {
   return counted(count, "face", "faces");
-}
-
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 bool indices_in_range(std::span<const int32_t> polygon, size_t points, Defects& defects) {

@@ -80,10 +80,6 @@ void for_each_cell(const Cell& low, const Cell& high, Use&& use) {
   }
 }
 
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 }  // namespace
 
 std::vector<uint32_t> first_within(const std::vector<glm::vec3>& positions, double tolerance) {

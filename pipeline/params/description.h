@@ -30,6 +30,7 @@ struct FieldText {
   Limits slider{};              ///< The useful range; the hard limits where left out.
   Scale scale = Scale::linear;  ///< Of the slider, and of a sweep that does not say.
   bool is_path = false;  ///< A file's path: relative ones are resolved against the file that sets them.
+  std::string_view not_a_path = "";  ///< The one word that such a field takes for something else.
   std::string_view zero_text =
       "";  ///< "all": what a slider shows for 0, which stands beyond its largest value.
   std::string_view matters_when =

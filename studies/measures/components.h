@@ -1,7 +1,7 @@
 // Connected parts and free ends of lines. In: a line map, as a rule thinned. Out: counts.
 #pragma once
 
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 
 namespace inkbench {
 

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 
 namespace inkbench {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "studies/measures/line_map.h"
-#include "studies/reference/lines.h"
+#include "pipeline/lines/line_map.h"
+#include "pipeline/lines/lines.h"
 
 namespace inkbench {
 

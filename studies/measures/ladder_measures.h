@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 #include "studies/measures/tally.h"
 
 namespace inkbench {

@@ -2,7 +2,7 @@
 // matching with the largest possible number of pairs, from which precision and recall follow.
 #pragma once
 
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 
 namespace inkbench {
 

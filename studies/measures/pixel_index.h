@@ -2,7 +2,7 @@
 // plain arrays. In: a map. Out: pixel to number and back, in memory that grows with words and true pixels.
 #pragma once
 
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 
 namespace inkbench {
 

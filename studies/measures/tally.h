@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
+#include "pipeline/lines/line_map.h"
 #include "studies/measures/histogram.h"
 #include "studies/measures/jaggedness.h"
-#include "studies/measures/line_map.h"
 
 namespace inkbench {
 

@@ -2,7 +2,7 @@
 // lines are counted and matched.
 #pragma once
 
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 
 namespace inkbench {
 

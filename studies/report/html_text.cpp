@@ -9,17 +9,15 @@
 namespace inkbench {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
 
 /// `text` as a JSON string; what is no UTF-8 becomes U+FFFD.
 std::string dumped(std::string_view text) {
-  return json(std::string(text)).dump(-1, ' ', false, json::error_handler_t::replace);
+  return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string valid_utf8(std::string_view text) {
-  return json::parse(dumped(text)).get<std::string>();
+  return nlohmann::json::parse(dumped(text)).get<std::string>();
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "pipeline/base/text.h"
+#include "studies/judging/measured_lines.h"
 #include "studies/measures/measures.h"
-#include "studies/reference/measured_lines.h"
 
 namespace inkbench {
 namespace {

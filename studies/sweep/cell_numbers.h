@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/judging/buffer_source.h"
 #include "studies/measures/ladder_measures.h"
-#include "studies/reference/buffer_source.h"
 #include "studies/sweep/spec.h"
 
 namespace inkbench {

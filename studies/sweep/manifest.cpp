@@ -7,7 +7,7 @@
 
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 

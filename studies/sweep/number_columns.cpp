@@ -1,8 +1,8 @@
 #include "studies/sweep/number_columns.h"
 
+#include "pipeline/lines/lines.h"
 #include "studies/measures/ladder_measures.h"
 #include "studies/measures/measures.h"
-#include "studies/reference/lines.h"
 #include "studies/sweep/spec.h"
 
 namespace inkbench {

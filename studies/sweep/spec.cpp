@@ -8,7 +8,7 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
-#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/formats/mesh_file.h"
 
 namespace inkbench {
 namespace {
@@ -20,7 +20,7 @@ std::string short_key(const std::string& key) {
 void check_file(const std::string& key, const std::string& path) {
   if (path.empty()) return;
   std::error_code error;
-  if (path == "rabbit") {
+  if (path == kRabbit) {
     find_rabbit();
   } else if (!fs::is_regular_file(path, error)) {
     throw input_error(key, "there is no file " + path);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/passes/buffer_names.h"
-#include "pipeline/scene/settings.h"
+#include "pipeline/flow/buffer_names.h"
+#include "pipeline/settings/settings.h"
 #include "studies/report/chart.h"
 
 namespace inkbench {

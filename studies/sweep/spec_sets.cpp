@@ -5,7 +5,7 @@
 #include "pipeline/base/error.h"
 #include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
-#include "studies/reference/drawing.h"
+#include "pipeline/lines/drawing.h"
 #include "studies/sweep/number_columns.h"
 #include "studies/sweep/study_grid.h"
 

@@ -1,5 +1,5 @@
 // `inkbench decimate`, and `mesh.faces` as a parameter and an axis.
-#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/formats/mesh_file.h"
 #include "tests/cli/study_fixture.h"
 
 namespace inkbench {

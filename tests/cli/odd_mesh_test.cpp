@@ -7,8 +7,8 @@
 #include "pipeline/base/text.h"
 #include "pipeline/image/image_file.h"
 #include "pipeline/mesh/closed.h"
-#include "pipeline/mesh/mesh_file.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "tests/cli/study_fixture.h"
 
 namespace inkbench {

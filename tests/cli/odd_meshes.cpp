@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/shapes/primitives.h"
 
 namespace inkbench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "pipeline/image/image_file.h"
 #include "tests/cli/cli_test.h"
-#include "tests/cli/mesh_text.h"
+#include "tests/cli/written_mesh.h"
 
 namespace inkbench {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/flow/buffer_names.h"
 #include "pipeline/image/image_file.h"
-#include "pipeline/passes/buffer_names.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 #include "tests/cli/cli_test.h"
 
 namespace inkbench {

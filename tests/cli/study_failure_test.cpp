@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/mesh_text.h"
 #include "tests/cli/study_fixture.h"
+#include "tests/cli/written_mesh.h"
 
 namespace inkbench {
 namespace {

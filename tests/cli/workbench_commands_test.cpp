@@ -3,9 +3,9 @@
 #include "app/workbench/opened_file.h"
 #include "app/workbench/param_changes.h"
 #include "app/workbench/presets.h"
-#include "app/workbench/render_command.h"
+#include "app/workbench/render_command_text.h"
 #include "app/workbench/sweep_builder.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 #include "tests/cli/cli_test.h"
 
 namespace inkbench {

@@ -12,7 +12,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/scratch_folder.h"
 #include "pipeline/image/image_file.h"
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 
 namespace inkbench {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/scratch_folder.h"
-#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/formats/soup_transfer.h"
 #include "pipeline/mesh/polygon_soup.h"
-#include "pipeline/mesh/soup_transfer.h"
 
 namespace inkbench {
 namespace {

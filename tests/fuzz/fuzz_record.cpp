@@ -9,10 +9,10 @@
 #include <span>
 #include <string>
 
-#include "pipeline/mesh/collapse_record_file.h"
-#include "pipeline/mesh/decimation.h"
-#include "pipeline/mesh/primitives.h"
-#include "pipeline/mesh/subdivide.h"
+#include "pipeline/mesh/levels/collapse_record_file.h"
+#include "pipeline/mesh/levels/decimation.h"
+#include "pipeline/mesh/levels/subdivide.h"
+#include "pipeline/mesh/shapes/primitives.h"
 
 namespace inkbench {
 namespace {

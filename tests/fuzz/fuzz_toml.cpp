@@ -10,7 +10,7 @@
 #include "pipeline/base/scratch_folder.h"
 #include "pipeline/base/text.h"
 #include "pipeline/params/toml_value.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 #include "studies/sweep/data_columns.h"
 #include "studies/sweep/spec.h"
 

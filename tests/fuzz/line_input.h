@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "studies/measures/line_map.h"
-#include "studies/reference/lines.h"
+#include "pipeline/lines/line_map.h"
+#include "pipeline/lines/lines.h"
 
 namespace inkbench {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 
 namespace inkbench {
 

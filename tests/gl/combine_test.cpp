@@ -1,5 +1,5 @@
 // The combine pass against 3.4.4 on uploaded ranges.
-#include "pipeline/passes/combine.h"
+#include "pipeline/passes/edges/combine.h"
 
 #include <cmath>
 

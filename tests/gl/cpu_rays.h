@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 #include "tests/gl/cpu_reference.h"
 
 namespace inkbench::reference {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "pipeline/image/image.h"
-#include "pipeline/passes/combine_params.h"
-#include "pipeline/passes/ink_params.h"
+#include "pipeline/settings/combine_params.h"
+#include "pipeline/settings/ink_params.h"
 
 namespace inkbench::reference {
 

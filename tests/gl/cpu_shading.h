@@ -1,7 +1,7 @@
 // Blinn-Phong light through ramps in double precision, written from the equations of 3.1 and 3.2.
 #pragma once
 
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 #include "tests/gl/cpu_reference.h"
 
 namespace inkbench::reference {

@@ -1,5 +1,5 @@
 // The gradient pass against 3.4.3 on uploaded maps.
-#include "pipeline/passes/gradient.h"
+#include "pipeline/passes/edges/gradient.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The ink pass against 3.5 on uploaded maps.
-#include "pipeline/passes/ink.h"
+#include "pipeline/passes/ink/ink.h"
 
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"

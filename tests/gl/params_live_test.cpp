@@ -9,7 +9,7 @@
 
 #include "pipeline/base/text.h"
 #include "pipeline/image/image_file.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
 

@@ -1,5 +1,5 @@
 // The range pass against 3.4.4 on uploaded gradients.
-#include "pipeline/passes/range.h"
+#include "pipeline/passes/edges/range.h"
 
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"

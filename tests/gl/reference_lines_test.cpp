@@ -5,8 +5,9 @@
 #include <deque>
 #include <glm/geometric.hpp>
 
+#include "pipeline/lines/reference_lines.h"
+#include "pipeline/mesh/levels/model_mesh.h"
 #include "pipeline/pipeline.h"
-#include "studies/reference/reference_lines.h"
 #include "tests/gl/scenes.h"
 
 namespace inkbench {

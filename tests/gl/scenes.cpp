@@ -1,7 +1,7 @@
 #include "tests/gl/scenes.h"
 
 #include "pipeline/base/files.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {

@@ -1,7 +1,7 @@
 // Scenes for the GL tests.
 #pragma once
 
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 

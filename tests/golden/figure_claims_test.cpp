@@ -14,6 +14,7 @@
 
 #include "pipeline/base/files.h"
 #include "pipeline/gl/context.h"
+#include "pipeline/mesh/levels/model_mesh.h"
 #include "pipeline/pipeline.h"
 #include "studies/sweep/spec.h"
 #include "tests/golden/line_measures.h"

@@ -1,5 +1,5 @@
 // Buffers by name.
-#include "pipeline/passes/buffer_names.h"
+#include "pipeline/flow/buffer_names.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // Camera matrices against values worked out by hand.
-#include "pipeline/scene/camera.h"
+#include "pipeline/settings/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "pipeline/mesh/closed.h"
-#include "pipeline/mesh/mesh_file.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/shapes/primitives.h"
 
 namespace inkbench {
 namespace {

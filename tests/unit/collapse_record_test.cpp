@@ -1,5 +1,5 @@
 // The record as such, its file, and the cache under damage and races.
-#include "pipeline/mesh/collapse_record_file.h"
+#include "pipeline/mesh/levels/collapse_record_file.h"
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -13,8 +13,8 @@
 
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
-#include "pipeline/mesh/decimation.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/levels/decimation.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "tests/unit/support.h"
 
 namespace inkbench {

@@ -1,5 +1,6 @@
 // What the decimation promises at every level, on the rabbit, on built-in shapes and on defective meshes.
-#include "pipeline/mesh/decimation.h"
+#include "pipeline/mesh/levels/decimation.h"
+#include "pipeline/mesh/normals.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,8 @@
 #include <tuple>
 
 #include "pipeline/mesh/closed.h"
-#include "pipeline/mesh/mesh_file.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/shapes/primitives.h"
 
 namespace inkbench {
 namespace {

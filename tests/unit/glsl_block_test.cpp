@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "pipeline/base/text.h"
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 namespace {

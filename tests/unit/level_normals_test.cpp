@@ -1,5 +1,5 @@
 // Smooth, flat and nearest normals of levels.
-#include "pipeline/mesh/level_normals.h"
+#include "pipeline/mesh/levels/level_normals.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "pipeline/mesh/closed.h"
-#include "pipeline/mesh/decimation.h"
-#include "pipeline/mesh/primitives.h"
-#include "pipeline/mesh/subdivide.h"
+#include "pipeline/mesh/levels/decimation.h"
+#include "pipeline/mesh/levels/subdivide.h"
+#include "pipeline/mesh/shapes/primitives.h"
 
 namespace inkbench {
 namespace {
@@ -162,9 +162,9 @@ TEST(LevelNormals, the_tree_answers_as_a_list_does) {
 }
 
 TEST(LevelNormals, kinds_have_names_in_their_order) {
-  EXPECT_EQ(kLevelNormalsNames[static_cast<size_t>(LevelNormals::smooth)], "smooth");
-  EXPECT_EQ(kLevelNormalsNames[static_cast<size_t>(LevelNormals::flat)], "flat");
-  EXPECT_EQ(kLevelNormalsNames[static_cast<size_t>(LevelNormals::nearest)], "nearest");
+  EXPECT_EQ(ChoiceNames<LevelNormals>::names[static_cast<size_t>(LevelNormals::smooth)], "smooth");
+  EXPECT_EQ(ChoiceNames<LevelNormals>::names[static_cast<size_t>(LevelNormals::flat)], "flat");
+  EXPECT_EQ(ChoiceNames<LevelNormals>::names[static_cast<size_t>(LevelNormals::nearest)], "nearest");
 }
 
 }  // namespace

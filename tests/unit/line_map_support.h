@@ -5,7 +5,7 @@
 #include <random>
 #include <string_view>
 
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 
 namespace inkbench {
 

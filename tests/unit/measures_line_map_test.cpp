@@ -1,5 +1,5 @@
 // Line maps: from pictures and files, their border, and the bits past the width.
-#include "studies/measures/line_map.h"
+#include "pipeline/lines/line_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Mesh files, good and bad, through the whole loader: every defect is named, nothing crashes or hangs.
-#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/formats/mesh_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "pipeline/mesh/isolated_call.h"
+#include "pipeline/mesh/formats/isolated_call.h"
 
 namespace inkbench {
 namespace {

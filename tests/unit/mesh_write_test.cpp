@@ -1,12 +1,12 @@
 // Written meshes read back equal.
-#include "pipeline/mesh/mesh_write.h"
+#include "pipeline/mesh/formats/mesh_write.h"
 
 #include <gmock/gmock.h>
 
 #include <glm/geometric.hpp>
 
-#include "pipeline/mesh/mesh_file.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "tests/unit/support.h"
 
 namespace inkbench {

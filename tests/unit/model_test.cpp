@@ -1,5 +1,6 @@
 // Where models stand, and which mesh they draw.
-#include "pipeline/scene/model.h"
+#include "pipeline/settings/model.h"
+#include "pipeline/mesh/levels/model_mesh.h"
 
 #include <gmock/gmock.h>
 

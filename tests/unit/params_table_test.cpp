@@ -1,12 +1,12 @@
 // The table of all parameters.
-#include "pipeline/scene/params_table.h"
+#include "pipeline/settings/params_table.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 namespace inkbench {
 namespace {

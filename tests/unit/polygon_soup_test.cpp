@@ -1,5 +1,6 @@
 // From raw polygons to the drawable mesh, its normals and bounds, and the way through the pipe.
 #include "pipeline/mesh/polygon_soup.h"
+#include "pipeline/mesh/normals.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +10,8 @@
 #include <limits>
 
 #include "pipeline/base/error.h"
-#include "pipeline/mesh/mesh_file.h"
-#include "pipeline/mesh/soup_transfer.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/formats/soup_transfer.h"
 #include "pipeline/mesh/triangulate.h"
 
 namespace inkbench {

@@ -1,5 +1,5 @@
 // The built-in shapes against their analytic volume, area, normals and topology.
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/shapes/primitives.h"
 
 #include <gtest/gtest.h>
 

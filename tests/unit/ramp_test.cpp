@@ -1,5 +1,5 @@
 // Ramps: exact at their stops, constant outside, stepped or smooth between.
-#include "pipeline/scene/ramp.h"
+#include "pipeline/settings/ramp.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // Links joined to chains.
-#include "studies/reference/chain.h"
+#include "pipeline/lines/chain.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Maps, picture and SVG of reference lines.
-#include "studies/reference/drawing.h"
+#include "pipeline/lines/drawing.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Lines between objects, by small images.
-#include "studies/reference/object_lines.h"
+#include "pipeline/lines/object_lines.h"
 
 #include <gtest/gtest.h>
 

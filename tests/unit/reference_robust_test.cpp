@@ -3,7 +3,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "tests/unit/reference_support.h"
 
 namespace inkbench {

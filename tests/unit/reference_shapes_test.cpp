@@ -6,7 +6,7 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "tests/unit/reference_support.h"
 
 namespace inkbench {

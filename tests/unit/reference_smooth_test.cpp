@@ -4,8 +4,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <numbers>
 
-#include "pipeline/mesh/primitives.h"
-#include "studies/reference/line_tracer.h"
+#include "pipeline/lines/line_tracer.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "tests/unit/reference_support.h"
 
 namespace inkbench {

@@ -11,7 +11,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "studies/reference/reference_lines.h"
+#include "pipeline/lines/reference_lines.h"
 
 namespace inkbench {
 

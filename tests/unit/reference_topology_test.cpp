@@ -1,10 +1,10 @@
 // Edges and their faces, and the classes of lines along them, before any view.
-#include "studies/reference/topology.h"
+#include "pipeline/lines/topology.h"
 
 #include <gtest/gtest.h>
 
-#include "pipeline/mesh/primitives.h"
-#include "studies/reference/mesh_lines.h"
+#include "pipeline/lines/mesh_lines.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "tests/unit/reference_support.h"
 
 namespace inkbench {

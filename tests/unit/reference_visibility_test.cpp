@@ -1,5 +1,5 @@
 // Projection, clipping and the depth test, by hand-made buffers.
-#include "studies/reference/visibility.h"
+#include "pipeline/lines/visibility.h"
 
 #include <gtest/gtest.h>
 

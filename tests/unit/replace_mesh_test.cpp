@@ -1,5 +1,6 @@
 // Another mesh in the place of the main model: as large as the old one and on the same spot.
-#include "pipeline/scene/replace_mesh.h"
+#include "pipeline/mesh/levels/replace_mesh.h"
+#include "pipeline/mesh/levels/model_mesh.h"
 
 #include <gmock/gmock.h>
 

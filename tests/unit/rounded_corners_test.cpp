@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "pipeline/mesh/closed.h"
-#include "pipeline/mesh/decimation.h"
-#include "pipeline/mesh/mesh_file.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/levels/decimation.h"
 #include "pipeline/mesh/polygon_soup.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "tests/unit/support.h"
 
 namespace inkbench {

@@ -1,5 +1,5 @@
 // Scene files: what they say is what the settings are; what they cannot say is an error with file and line.
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // The description of all parameters, and finding and setting them by key.
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 
 #include <gmock/gmock.h>
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "pipeline/base/files.h"
-#include "pipeline/scene/settings_file.h"
+#include "pipeline/settings/settings_file.h"
 #include "tests/unit/support.h"
 
 namespace inkbench {

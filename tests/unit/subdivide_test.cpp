@@ -1,5 +1,5 @@
 // Loop's subdivision: its weights, its counts, and the meshes that OpenMesh alone would get wrong.
-#include "pipeline/mesh/subdivide.h"
+#include "pipeline/mesh/levels/subdivide.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "pipeline/mesh/closed.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "tests/unit/support.h"
 
 namespace inkbench {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "pipeline/scene/settings.h"
+#include "pipeline/settings/settings.h"
 #include "tests/unit/support.h"
 
 namespace inkbench {

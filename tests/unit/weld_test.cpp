@@ -9,7 +9,7 @@
 #include <set>
 
 #include "pipeline/mesh/closed.h"
-#include "pipeline/mesh/primitives.h"
+#include "pipeline/mesh/shapes/primitives.h"
 #include "pipeline/mesh/weld_manifold.h"
 #include "tests/unit/support.h"
 

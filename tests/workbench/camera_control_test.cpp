@@ -7,7 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

@@ -1,7 +1,7 @@
 // Undo and redo: every change comes back exactly; an edit is one step; memory stays bounded.
 #include "app/workbench/history.h"
 
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "pipeline/mesh/level_normals.h"
+#include "pipeline/mesh/levels/level_normals.h"
 
 namespace inkbench {
 namespace {

@@ -8,9 +8,9 @@
 #include <future>
 #include <glm/trigonometric.hpp>
 
+#include "studies/judging/measured_lines.h"
 #include "studies/measures/diff_picture.h"
-#include "studies/reference/measured_lines.h"
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

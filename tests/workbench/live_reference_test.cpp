@@ -1,12 +1,13 @@
 // Reference lines found beside the window: the same lines as in the foreground, kept parts, stopping.
 #include "app/workbench/live_reference.h"
+#include "pipeline/mesh/levels/model_mesh.h"
 
 #include <chrono>
 #include <thread>
 
-#include "studies/reference/drawing.h"
+#include "pipeline/lines/drawing.h"
 #include "tests/unit/reference_support.h"
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

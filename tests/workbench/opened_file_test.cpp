@@ -5,7 +5,7 @@
 #include "app/workbench/ramp_edit.h"
 #include "app/workbench/ramp_file.h"
 #include "pipeline/export.h"
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

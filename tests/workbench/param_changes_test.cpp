@@ -1,7 +1,7 @@
 // Differences between settings: every parameter is seen, and a list of changes leads from one to the other.
 #include "app/workbench/param_changes.h"
 
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "app/workbench/user_folder.h"
 #include "tests/unit/file_size_limit.h"
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "pipeline/image/image_file.h"
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

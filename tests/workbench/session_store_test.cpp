@@ -7,7 +7,7 @@
 #include <set>
 
 #include "tests/unit/file_size_limit.h"
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

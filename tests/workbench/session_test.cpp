@@ -1,7 +1,7 @@
 // A session as text: it comes back equal, and what is broken in it is named by line.
 #include "app/workbench/session.h"
 
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

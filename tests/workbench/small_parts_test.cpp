@@ -2,7 +2,7 @@
 #include "app/workbench/duration_text.h"
 #include "app/workbench/place_in_text.h"
 #include "app/workbench/recent_studies.h"
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

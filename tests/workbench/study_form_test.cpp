@@ -3,7 +3,7 @@
 
 #include "app/workbench/scene_base.h"
 #include "pipeline/image/image_file.h"
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/workbench/scene_base.h"
 #include "studies/sweep/spec.h"
-#include "tests/workbench/support.h"
+#include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
 namespace {

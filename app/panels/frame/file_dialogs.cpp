@@ -1,0 +1,157 @@
+#include "app/panels/frame/file_dialogs.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+
+#include "app/panels/widgets/attempt.h"
+#include "app/panels/widgets/widgets.h"
+#include "app/window/theme.h"
+#include "app/workbench/render_command_text.h"
+#include "app/workbench/scene_base.h"
+#include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
+#include "pipeline/settings/settings_file.h"
+
+namespace inkbench {
+namespace {
+
+constexpr std::array<std::string_view, 14> kOpened{".toml", ".obj", ".ply",  ".off", ".stl", ".png", ".exr",
+                                                   ".jpg",  ".tif", ".tiff", ".hdr", ".bmp", ".tga", ".webp"};
+
+BufferName looked_at(const Workbench& bench) {
+  return bench.view.filled.value_or(bench.view.selected);
+}
+
+void write_settings(Workbench& bench, const fs::path& path) {
+  write_file_atomically(path, preset_text(path.stem().string(), with_absolute_paths(bench.settings())));
+  bench.saved_as(path);
+  bench.tell(Severity::note, "saved the settings as " + path.string());
+}
+
+fs::path start_folder(const Workbench& bench) {
+  if (!bench.scene().empty()) return bench.scene().parent_path();
+  return project_file("data/scenes");
+}
+
+ChooserQuestion open_question(const Workbench& bench) {
+  return {.title = "Open",
+          .help =
+              "Scenes, presets, studies and ramps (.toml), exported images (.png, .exr), meshes (.obj, "
+              ".ply, .off, .stl).",
+          .button = "Open",
+          .extensions = {kOpened.begin(), kOpened.end()},
+          .folder = start_folder(bench)};
+}
+
+ChooserQuestion save_question(const Workbench& bench) {
+  return {.title = "Save the settings",
+          .help =
+              "All settings as one scene file (.toml), which `inkbench render --scene` and studies read, "
+              "too. In the folder of presets it is listed as a preset.",
+          .button = "Save",
+          .extensions = {".toml"},
+          .folder =
+              is_preset_file(bench.scene()) ? bench.scene().parent_path() : bench.keeping.presets().folder(),
+          .saves = true,
+          .name = is_preset_file(bench.scene()) ? bench.scene().filename().string() : "scene.toml"};
+}
+
+ChooserQuestion image_question(BufferName buffer, const fs::path& folder) {
+  return {.title = "Save a picture",
+          .help =
+              "The bytes that `inkbench render` writes: .png is the picture with the display gains, .exr "
+              "the raw values. Both carry all settings.",
+          .button = "Save",
+          .extensions = {".png", ".exr", ".svg"},
+          .folder = folder,
+          .saves = true,
+          .name = std::string(name_of(buffer)) + ".png"};
+}
+
+/// With the ending, if the person gave none that is known.
+fs::path with_ending(fs::path path, std::string_view ending, std::initializer_list<std::string_view> known) {
+  const std::string given = path.extension().string();
+  if (std::find(known.begin(), known.end(), given) == known.end()) path += ending;
+  return path;
+}
+
+}  // namespace
+
+void FileDialogs::begin(Workbench& bench, FileDialog dialog) {
+  dialog_ = dialog;
+  std::error_code error;
+  if (image_folder_.empty()) image_folder_ = fs::current_path(error);
+  if (dialog == FileDialog::open) chooser_.ask(open_question(bench));
+  if (dialog == FileDialog::save_settings) {
+    fs::create_directories(bench.keeping.presets().folder(), error);  // where it cannot be, saving tells why
+    chooser_.ask(save_question(bench));
+  }
+  if (dialog != FileDialog::save_image) return;
+  buffer_ = looked_at(bench);
+  chooser_.ask(image_question(buffer_, image_folder_));
+}
+
+void FileDialogs::set_image_ending(std::string_view ending) {
+  chooser_.name() = fs::path(chooser_.name()).stem().string() + std::string(ending);
+}
+
+void FileDialogs::draw_image_choice(Workbench& bench) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Buffer");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(scaled(160));
+  const bool open = ImGui::BeginCombo("##buffer", std::string(name_of(buffer_)).c_str());
+  bench.ui_map.mark_item("image:buffer");
+  for (size_t i = 0; open && i < kBufferCount; ++i) {
+    const auto buffer = static_cast<BufferName>(i);
+    const std::string name(name_of(buffer));
+    if (ImGui::Selectable(name.c_str(), buffer == buffer_)) {
+      const fs::path typed(chooser_.name());
+      if (typed.stem() == name_of(buffer_)) chooser_.name() = name + typed.extension().string();
+      buffer_ = buffer;
+    }
+    bench.ui_map.mark_item("image:" + name);
+  }
+  if (open) ImGui::EndCombo();
+  const std::string ending = lower_extension(chooser_.name());
+  const bool lines = buffer_ == BufferName::reference;
+  for (const char* format : {".png", ".exr", ".svg"}) {
+    if (!lines && format == std::string_view(".svg")) continue;
+    ImGui::SameLine();
+    if (toggle_button(format + 1, ending == format)) set_image_ending(format);
+    bench.ui_map.mark_item(std::string("image:") + (format + 1));
+  }
+}
+
+void FileDialogs::finish(Workbench& bench, fs::path path) {
+  if (dialog_ == FileDialog::open) return bench.open(path.string());
+  attempt(bench, [&] {
+    if (dialog_ == FileDialog::save_settings)
+      return write_settings(bench, with_ending(path, ".toml", {".toml"}));
+    path = with_ending(path, ".png", {".png", ".exr", ".svg"});
+    write_buffer(bench.pictures.source(), bench.settings(), buffer_, path);
+    image_folder_ = path.parent_path();
+    bench.tell(Severity::note, fmt::format("saved {} as {}", name_of(buffer_), path.string()));
+  });
+}
+
+void FileDialogs::draw(Workbench& bench) {
+  if (const auto wanted = std::exchange(bench.wanted_dialog, std::nullopt); wanted && !chooser_.is_open())
+    begin(bench, *wanted);
+  const bool asks_buffer = dialog_ == FileDialog::save_image;
+  const auto path =
+      asks_buffer ? chooser_.draw(bench, [&] { draw_image_choice(bench); }) : chooser_.draw(bench);
+  if (path) finish(bench, *path);
+}
+
+void save_settings(Workbench& bench) {
+  if (!is_preset_file(bench.scene())) {
+    bench.wanted_dialog = FileDialog::save_settings;
+    return;
+  }
+  attempt(bench, [&] { write_settings(bench, bench.scene()); });
+}
+
+}  // namespace inkbench

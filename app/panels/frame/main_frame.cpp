@@ -1,0 +1,177 @@
+#include "app/panels/frame/main_frame.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/frame/keys_page.h"
+#include "app/panels/frame/notices.h"
+#include "app/panels/frame/shortcuts.h"
+#include "app/panels/frame/status_bar.h"
+#include "app/panels/frame/timings.h"
+#include "app/panels/frame/toolbar.h"
+#include "app/panels/pictures/contact_sheet.h"
+#include "app/panels/widgets/hover.h"
+#include "app/panels/widgets/widgets.h"
+#include "app/window/theme.h"
+
+namespace inkbench {
+namespace {
+
+constexpr float kSmallestLeft = 264, kSmallestRight = 220, kSmallestBottom = 70, kSmallestMiddle = 240;
+constexpr float kDivider = 4;
+/// Windows that are narrower or lower fold panels away, so that the pictures keep at least half of them.
+constexpr float kRightFits = 860, kLeftFits = 560, kBottomFits = 420;
+
+struct Area {
+  ImVec2 low, high;
+  bool is_empty() const { return high.x - low.x < 1 || high.y - low.y < 1; }
+};
+
+constexpr ImGuiWindowFlags kPanelFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                         ImGuiWindowFlags_NoSavedSettings |
+                                         ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+template <class Draw>
+void panel(const char* name, const Area& area, ImU32 colour, const Draw& draw, ImGuiWindowFlags flags = 0) {
+  if (area.is_empty()) return;
+  ImGui::SetNextWindowPos(area.low);
+  ImGui::SetNextWindowSize({area.high.x - area.low.x, area.high.y - area.low.y});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::Begin(name, nullptr, kPanelFlags | flags);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  draw();
+  ImGui::End();
+}
+
+/// A strip that can be dragged; returns by how much.
+float divider(Workbench& bench, const char* name, const Area& area, bool upright) {
+  float moved = 0;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  panel(name, area, theme().line, [&] {
+    ImGui::InvisibleButton("grip", {area.high.x - area.low.x, area.high.y - area.low.y});
+    bench.ui_map.mark_item(name);
+    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (hot) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    if (hot) ImGui::GetWindowDrawList()->AddRectFilled(area.low, area.high, theme().accent);
+    if (ImGui::IsItemActive()) moved = upright ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+  });
+  ImGui::PopStyleVar();
+  return moved;
+}
+
+/// Shares of the window; limited so that a panel can neither vanish nor cover the others.
+void move_share(float& share, float by, float whole, float largest) {
+  if (by != 0) share = std::clamp(share + by / std::max(whole, 1.0F), 0.08F, largest);
+}
+
+}  // namespace
+
+struct MainFrame::Places {
+  Area left, middle, right, timings, log, status;
+  Area left_divider, right_divider, bottom_divider;
+};
+
+MainFrame::Places MainFrame::arrange(Workbench& bench) const {
+  const WindowLayout& layout = bench.layout;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float top = menu_bar_.height();
+  const float foot = screen.y - ImGui::GetTextLineHeight() - scaled(8);
+  const float gap = scaled(kDivider);
+  const auto side = [&](bool shown, float share, float smallest) {
+    return shown ? std::round(std::max(share * screen.x, scaled(smallest))) : 0;
+  };
+  const bool left_fits = screen.x >= scaled(kLeftFits), right_fits = screen.x >= scaled(kRightFits);
+  float left = side(layout.show_parameters && left_fits, layout.left, kSmallestLeft);
+  float right =
+      side(layout.show_inspector && !bench.studies.page_open && right_fits, layout.right, kSmallestRight);
+  if (!right_fits) left = std::min(left, std::floor(screen.x / 2 - gap));
+  const float spare = screen.x - left - right - scaled(kSmallestMiddle);
+  if (spare < 0) right = std::max(0.0F, right + spare);
+  const bool fits = screen.y >= scaled(kBottomFits);
+  const bool has_bottom = (fits && (layout.show_timings || layout.show_log)) || bench.view.edits_ramps;
+  const float wanted = std::max(std::round(layout.bottom * screen.y), scaled(kSmallestBottom));
+  const float bottom = has_bottom ? std::min(wanted, (foot - top) * (fits ? 0.6F : 0.5F)) : 0;
+  const float middle_foot = bottom > 0 ? foot - bottom - gap : foot;
+  Places places;
+  const float x1 = left > 0 ? left + gap : 0;
+  const float x2 = right > 0 ? screen.x - right - gap : screen.x;
+  places.left = {{0, top}, {left, foot}};
+  if (left > 0) places.left_divider = {{left, top}, {left + gap, foot}};
+  places.middle = {{x1, top}, {x2, middle_foot}};
+  if (right > 0) places.right_divider = {{x2, top}, {x2 + gap, middle_foot}};
+  if (right > 0) places.right = {{x2 + gap, top}, {screen.x, middle_foot}};
+  if (bottom > 0) {
+    float split = std::round(x1 + (screen.x - x1) * 0.56F);
+    if (!layout.show_log) split = screen.x;
+    if (!layout.show_timings) split = x1 - 1;
+    places.bottom_divider = {{x1, middle_foot}, {screen.x, middle_foot + gap}};
+    places.timings = {{x1, middle_foot + gap}, {split, foot}};
+    places.log = {{split + 1, middle_foot + gap}, {screen.x, foot}};
+  }
+  places.status = {{0, foot}, screen};
+  return places;
+}
+
+void MainFrame::draw_dividers(Workbench& bench, const Places& places) {
+  WindowLayout& layout = bench.layout;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  move_share(layout.left, divider(bench, "divider:left", places.left_divider, true), screen.x, 0.42F);
+  move_share(layout.right, -divider(bench, "divider:right", places.right_divider, true), screen.x, 0.42F);
+  move_share(layout.bottom, -divider(bench, "divider:bottom", places.bottom_divider, false), screen.y, 0.6F);
+}
+
+void MainFrame::draw_bottom(Workbench& bench, const Places& places) {
+  if (bench.view.edits_ramps) {
+    panel("ramps", {places.timings.low, places.log.high}, theme().panel, [&] {
+      panel_heading("Ramps");
+      if (close_button("close")) bench.view.edits_ramps = false;
+      bench.ui_map.mark_item("close ramps");
+      ramp_editor_.draw(bench);
+    });
+    return;
+  }
+  panel("timings", places.timings, theme().panel, [&] {
+    panel_heading("Timings");
+    draw_timings(bench);
+  });
+  panel("log", places.log, theme().panel, [&] {
+    panel_heading("Log");
+    log_.draw(bench);
+  });
+}
+
+void MainFrame::draw(Workbench& bench) {
+  const ShortcutRequests keys = handle_shortcuts(bench);
+  if (keys.search) left_.focus_search(bench);
+  menu_bar_.draw(bench);
+  const Places places = arrange(bench);
+  panel("left", places.left, theme().panel, [&] { left_.draw(bench); });
+  follow_studies(bench);
+  if (bench.studies.page_open) {
+    panel("studies", places.middle, theme().panel, [&] { studies_.draw(bench); });
+  }
+  panel(
+      "pictures", bench.studies.page_open ? Area{} : places.middle, theme().canvas,
+      [&] {
+        draw_toolbar(bench);
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        draw_contact_sheet(bench);
+        draw_notices(bench, low);
+      },
+      ImGuiWindowFlags_NoScrollWithMouse);
+  panel("inspector", places.right, theme().panel, [&] { side_panel_.draw(bench); });
+  draw_bottom(bench, places);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(4)));
+  panel("status", places.status, theme().bar, [&] { draw_status_bar(bench); });
+  ImGui::PopStyleVar();
+  draw_dividers(bench, places);
+  draw_keys_page(bench);
+  dialogs_.draw(bench);
+  if (is_hover_pending()) bench.wake_in(kHelpDelay / 2);
+}
+
+}  // namespace inkbench

@@ -1,0 +1,228 @@
+#include "app/panels/judge/judge_view.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/panels/pictures/overlay_legend.h"
+#include "app/panels/widgets/widgets.h"
+#include "app/window/gui.h"
+#include "app/window/theme.h"
+#include "pipeline/base/error.h"
+#include "pipeline/base/text.h"
+#include "pipeline/lines/drawing.h"
+
+namespace inkbench {
+namespace {
+
+/// Shorter waits are not worth a word.
+constexpr double kPatience = 0.4;
+/// Shown as bars above the others.
+constexpr std::array<std::string_view, 3> kShares{"f1", "precision", "recall"};
+
+const MeasureInfo& info_of(std::string_view key) {
+  const std::span<const MeasureInfo> all = measure_list();
+  return *std::find_if(all.begin(), all.end(), [&](const MeasureInfo& info) { return info.key == key; });
+}
+
+std::string value_text(const std::optional<double>& value, bool is_count) {
+  if (!value) return "–";
+  return is_count ? with_commas(std::llround(*value)) : fmt::format("{:.3f}", *value);
+}
+
+/// "" where the change would read as none.
+std::string change_text(const std::optional<double>& now, const std::optional<double>& then, bool is_count) {
+  if (!now || !then) return "";
+  const double change = *now - *then;
+  if (std::abs(change) < (is_count ? 0.5 : 0.0005)) return "";
+  return is_count ? fmt::format("{:+.0f}", change) : fmt::format("{:+.3f}", change);
+}
+
+void text_at_right(std::string_view text, float right, ImU32 colour) {
+  const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+  const ImVec2 place = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddText({right - size.x, place.y}, colour, text.data(),
+                                      text.data() + text.size());
+}
+
+struct Row {
+  std::string_view name, help;
+  std::optional<double> now, then;
+  bool is_count = false;
+  bool more_is_better = false;  ///< Else a change has no colour.
+};
+
+float change_width() {
+  return ImGui::CalcTextSize("+0.0000").x;
+}
+
+void draw_change(const Row& row, float right) {
+  const std::string change = change_text(row.now, row.then, row.is_count);
+  ImU32 colour = theme().faint;
+  if (row.more_is_better && !change.empty()) colour = *row.now > *row.then ? theme().good : theme().error;
+  text_at_right(change, right, colour);
+}
+
+/// Name, value and change; the columns of all rows line up.
+void draw_row(const Row& row, bool compares) {
+  const float left = ImGui::GetCursorScreenPos().x;
+  const float right = left + ImGui::GetContentRegionAvail().x;
+  const float value_right = compares ? right - change_width() : right;
+  const std::string value = value_text(row.now, row.is_count);
+  text_at_right(value, value_right, row.now ? theme().text : theme().faint);
+  if (compares) draw_change(row, right);
+  const float room = value_right - left - ImGui::CalcTextSize(value.c_str()).x - scaled(8);
+  const ImVec2 place = ImGui::GetCursorScreenPos();
+  ImGui::Dummy({right - left, ImGui::GetTextLineHeight()});
+  help_for_item(row.help);
+  draw_fitted_text(*ImGui::GetWindowDrawList(), place, room, theme().faint, row.name);
+}
+
+void draw_bar(const Row& row, ImU32 colour) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = scaled(4);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float top = low.y - scaled(2);
+  list.AddRectFilled({low.x, top}, {low.x + width, top + height}, theme().field, height / 2);
+  const auto x_of = [&](double share) {
+    return low.x + static_cast<float>(std::clamp(share, 0.0, 1.0)) * width;
+  };
+  if (row.now) list.AddRectFilled({low.x, top}, {x_of(*row.now), top + height}, colour, height / 2);
+  if (row.then)
+    list.AddLine({x_of(*row.then), top - 2}, {x_of(*row.then), top + height + 2}, theme().text, scaled(1.5F));
+  ImGui::Dummy({width, height});
+}
+
+void heading(const char* text) {
+  ImGui::Dummy({0, scaled(4)});
+  ImGui::PushFont(fonts().bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+Row row_of(const MeasureInfo& info, const Judgement& now, const Judgement* then) {
+  Row row{info.key, info.help, info.value(now.measures), std::nullopt, info.is_count};
+  if (then != nullptr) row.then = info.value(then->measures);
+  return row;
+}
+
+void draw_shares(const Judgement& now, const Judgement* then) {
+  for (const std::string_view key : kShares) {
+    Row row = row_of(info_of(key), now, then);
+    row.more_is_better = true;
+    draw_row(row, then != nullptr);
+    draw_bar(row, theme().accent);
+  }
+}
+
+ImU32 class_colour(LineClass line_class) {
+  const std::array<uint8_t, 3> c = colour_of(line_class);
+  return IM_COL32(c[0], c[1], c[2], 255);
+}
+
+/// Only classes that the view has lines of, now or when it was pinned.
+void draw_recall(const Judgement& now, const Judgement* then) {
+  heading("Recall by class");
+  for (size_t i = 0; i < kLineClasses.size(); ++i) {
+    Row row{kLineClassNames[i], "Share of this class's reference pixels that were found.", now.recall[i]};
+    if (then != nullptr) row.then = then->recall[i];
+    if (!row.now && !row.then) continue;
+    row.more_is_better = true;
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    const float size = scaled(9);
+    const float top = place.y + (ImGui::GetTextLineHeight() - size) / 2 + 1;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({place.x, top}, {place.x + size, top + size}, class_colour(kLineClasses[i]));
+    list.AddRect({place.x, top}, {place.x + size, top + size}, theme().faint);
+    ImGui::SetCursorScreenPos({place.x + size + scaled(7), place.y});
+    draw_row(row, then != nullptr);
+  }
+}
+
+/// Of a level of the mesh: which part of a loss is the geometry's. While the full mesh's lines are being
+/// found the rows stay.
+void draw_ladder(const Workbench& bench, const Judgement& now, const Judgement* then) {
+  if (!bench.drawn_settings() || bench.drawn_settings()->mesh == MeshParams{}) return;
+  heading("Against the full mesh");
+  for (const LadderMeasureInfo& info : ladder_measure_list()) {
+    Row row{info.key, info.help};
+    if (now.ladder) row.now = info.value(*now.ladder);
+    if (then != nullptr && then->ladder) row.then = info.value(*then->ladder);
+    row.more_is_better = info.more_is_better;
+    draw_row(row, then != nullptr);
+  }
+}
+
+void draw_others(const Judgement& now, const Judgement* then) {
+  heading("All measures");
+  for (const MeasureInfo& info : measure_list()) {
+    if (std::find(kShares.begin(), kShares.end(), info.key) != kShares.end()) continue;
+    draw_row(row_of(info, now, then), then != nullptr);
+  }
+}
+
+/// Whether the pinned state shows the same models, at any level, from the same camera.
+bool is_same_view(Workbench& bench) {
+  const auto view_key = [&](Settings settings) {
+    settings.mesh = {};
+    return bench.pictures.pipeline().keys(settings).gbuffer;
+  };
+  try {
+    const std::optional<Settings>& pinned = bench.pictures.pinned_settings();
+    return pinned && view_key(*pinned) == view_key(bench.settings());
+  } catch (const Error&) {
+    return false;  // told by the banner
+  }
+}
+
+}  // namespace
+
+void JudgeView::draw_state(Workbench& bench) {
+  pin_compares_ = bench.judge.pinned() != nullptr && is_same_view(bench);
+  const JudgeDesk& judge = bench.judge;
+  const double time = ImGui::GetTime();
+  if (!judge.is_behind()) behind_since_ = -1.0;
+  if (judge.is_behind() && behind_since_ < 0.0) behind_since_ = time;
+  const bool waits = behind_since_ >= 0.0 && (time - behind_since_ > kPatience || judge.now() == nullptr);
+  if (judge.is_behind() && !waits) bench.wake_in(kPatience);
+  std::string text;
+  if (judge.now() != nullptr)
+    text = fmt::format("{}{:.0f} ms", judge.pinned() == nullptr ? "measured in " : "",
+                       1e3 * judge.now()->seconds);
+  if (waits) {
+    text = "measuring…";
+  } else if (judge.pinned() != nullptr) {
+    text += pin_compares_ ? ", changes since the pin" : ", the pin is of another view";
+  }
+  fitted_text(text, ImGui::GetContentRegionAvail().x, theme().faint);
+  ImGui::Dummy({0, scaled(1)});
+}
+
+void JudgeView::draw(Workbench& bench) {
+  overlay_choice(bench);
+  draw_state(bench);
+  const Judgement* now = bench.judge.now();
+  const Judgement* then = bench.judge.pinned();
+  if (now == nullptr) return;
+  if (!now->error.empty()) {
+    wrapped_text(now->error, theme().error);
+    return;
+  }
+  if (now->measures.empty) {
+    wrapped_text("Neither a drawn line nor a reference line is in sight: there is nothing to judge.",
+                 theme().faint);
+    return;
+  }
+  const bool compares = pin_compares_ && then != nullptr && then->error.empty() && !then->measures.empty;
+  if (!compares) then = nullptr;
+  draw_shares(*now, then);
+  draw_ladder(bench, *now, then);
+  draw_recall(*now, then);
+  draw_others(*now, then);
+}
+
+}  // namespace inkbench

@@ -1,0 +1,262 @@
+#include "app/panels/parameters/ramp_editor.h"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "app/panels/widgets/value_bar.h"
+#include "app/panels/widgets/widgets.h"
+#include "app/window/gui.h"
+#include "app/window/theme.h"
+#include "app/workbench/ramp_edit.h"
+#include "app/workbench/ramp_file.h"
+#include "pipeline/base/error.h"
+#include "pipeline/settings/ramp.h"
+
+namespace inkbench {
+namespace {
+
+/// Place and number of stops are parts of a ramp's value, which no parameter's description knows.
+const Field& position_field() {
+  static const Field kField = [] {
+    Field field;
+    field.type = FieldType::real;
+    field.limits = field.slider = {0, 1};
+    return field;
+  }();
+  return kField;
+}
+
+const Field& bands_field() {
+  static const Field kField = [] {
+    Field field;
+    field.type = FieldType::integer;
+    field.limits = {1, kMaxBands};
+    field.slider = {1, 16};
+    return field;
+  }();
+  return kField;
+}
+
+bool is_stepped(const Ramp& ramp, bool stepped) {
+  return std::all_of(ramp.stops.begin(), ramp.stops.end(),
+                     [&](const RampStop& stop) { return stop.stepped == stepped; });
+}
+
+/// A number that was dragged or typed; none where nothing was.
+std::optional<double> entered(const BarResult& bar) {
+  if (bar.dragged) return bar.value;
+  if (bar.typed.empty()) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(bar.typed.c_str(), &end);
+  if (end == bar.typed.c_str()) return std::nullopt;
+  return value;
+}
+
+/// Two buttons of which one is on; returns the one that was pressed.
+std::optional<bool> step_or_smooth(Workbench& bench, const std::string& name, bool step_on, bool smooth_on,
+                                   std::string_view help) {
+  std::optional<bool> pressed;
+  if (toggle_button("Step", step_on, help)) pressed = true;
+  bench.ui_map.mark_item("step:" + name);
+  ImGui::SameLine(0, 2);
+  if (toggle_button("Smooth", smooth_on, help)) pressed = false;
+  bench.ui_map.mark_item("smooth:" + name);
+  return pressed;
+}
+
+/// Goes on in the same line, so far from the window's left.
+void next_to(float place) {
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(place);
+}
+
+}  // namespace
+
+void RampEditor::file_buttons(Workbench& bench, const std::string& key, const Ramp& ramp) {
+  if (ImGui::Button("Load"))
+    question_.ask("Load a ramp", "Stops (.toml) or an image, whose first row is the ramp.", "Load",
+                  [&bench, key](const std::string& path) { bench.change(key, load_ramp(path)); });
+  bench.ui_map.mark_item("load:" + key);
+  ImGui::SameLine();
+  if (ImGui::Button("Save"))
+    question_.ask("Save the ramp", "As stops (.toml) or as an image (.png, .exr).", "Save",
+                  [&bench, ramp](const std::string& path) {
+                    save_ramp(path, ramp);
+                    bench.tell(Severity::note, "saved " + path);
+                  });
+  bench.ui_map.mark_item("save:" + key);
+}
+
+void RampEditor::title_row(Workbench& bench, const std::string& key, const Field& field, const Ramp& ramp,
+                           float width) {
+  Editor& editor = editors_[key];
+  const float left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(fonts().bold);
+  ImGui::TextUnformatted(field.name.data(), field.name.data() + field.name.size());
+  ImGui::PopFont();
+  help_for_item(field.help);
+  const float files = ImGui::CalcTextSize("LoadSave").x + 4 * ImGui::GetStyle().FramePadding.x +
+                      ImGui::GetStyle().ItemSpacing.x;
+  if (ramp.image.empty()) {
+    const float bands = scaled(64);
+    const float label = ImGui::CalcTextSize("Even bands").x + scaled(6);
+    const float modes = ImGui::CalcTextSize("StepSmooth").x + 4 * ImGui::GetStyle().FramePadding.x + 2;
+    const float gap = scaled(16);
+    next_to(left + width - files - bands - label - modes - 2 * gap);
+    const bool several = ramp.stops.size() > 1;
+    if (const auto stepped =
+            step_or_smooth(bench, "all:" + key, several && is_stepped(ramp, true),
+                           several && is_stepped(ramp, false), "All stops: hold the colour, or blend."))
+      bench.change(key, set_all_stepped(ramp, *stepped));
+    next_to(left + width - files - bands - label - gap);
+    faint_text("Even bands");
+    ImGui::SameLine(0, scaled(6));
+    const BarResult bar = value_bar("bands", static_cast<double>(ramp.stops.size()), bands_field(), bands);
+    bench.ui_map.mark_item("bands:" + key);
+    help_for_item("Steps of equal width between the ramp's ends. Drag, or Ctrl+click to type.");
+    if (bar.pressed) {
+      bench.begin_edit();
+      editor.before_bands = ramp;
+    }
+    if (const auto count = entered(bar))
+      bench.change(key, even_bands(editor.before_bands.value_or(ramp),
+                                   static_cast<int>(std::clamp(*count, 1.0, 64.0))));
+    if (bar.released) {
+      bench.end_edit();
+      editor.before_bands.reset();
+    }
+  }
+  next_to(left + width - files);
+  file_buttons(bench, key, ramp);
+}
+
+namespace {
+
+/// The colour and its picker; one drag in it is one step.
+void stop_colour(Workbench& bench, const std::string& key, const Ramp& ramp, size_t index, bool opens,
+                 bool& picking) {
+  glm::vec3 colour = ramp.stops[index].colour;
+  constexpr ImGuiColorEditFlags kPlain = ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip;
+  const bool pressed = ImGui::ColorButton("colour", {colour.x, colour.y, colour.z, 1}, kPlain,
+                                          {scaled(56), ImGui::GetFrameHeight()});
+  bench.ui_map.mark_item("stop colour:" + key);
+  help_for_item("The stop's colour.");
+  if (pressed || opens) ImGui::OpenPopup("picker");
+  if (!ImGui::BeginPopup("picker")) {
+    if (std::exchange(picking, false)) bench.end_edit();  // closed in the middle of a drag
+    return;
+  }
+  ImGui::SetNextItemWidth(scaled(220));
+  const bool changed = ImGui::ColorPicker3(
+      "##picker", &colour.x,
+      ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueBar);
+  bench.ui_map.mark_item("stop picker:" + key);
+  if (ImGui::IsItemActivated()) {
+    picking = true;
+    bench.begin_edit();
+  }
+  if (changed) bench.change(key, set_stop_colour(ramp, index, colour));
+  if (ImGui::IsItemDeactivated() && std::exchange(picking, false)) bench.end_edit();
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void RampEditor::stop_row(Workbench& bench, const std::string& key, const Ramp& ramp) {
+  Editor& editor = editors_[key];
+  const size_t index = std::min(editor.strip.selected, ramp.stops.size() - 1);
+  const RampStop& stop = ramp.stops[index];
+  ImGui::AlignTextToFramePadding();
+  faint_text(fmt::format("Stop {} of {}", index + 1, ramp.stops.size()));
+  ImGui::SameLine(0, scaled(10));
+  const BarResult bar = value_bar("position", stop.position, position_field(), scaled(110));
+  bench.ui_map.mark_item("position:" + key);
+  help_for_item("Where the stop is. Drag, or Ctrl+click to type.");
+  if (bar.pressed) bench.begin_edit();
+  if (const auto position = entered(bar)) {
+    const TouchedRamp touched = move_stop(ramp, index, static_cast<float>(*position));
+    editor.strip.selected = touched.index;
+    bench.change(key, touched.ramp);
+  }
+  if (bar.released) bench.end_edit();
+  ImGui::SameLine();
+  if (const auto stepped = step_or_smooth(bench, key, stop.stepped, !stop.stepped,
+                                          "Up to the next stop: hold this colour, or blend."))
+    bench.change(key, set_stop_stepped(ramp, index, *stepped));
+  if (ramp.stops.size() < 2) return;
+  ImGui::SameLine();
+  const bool no_field = !ImGui::GetIO().WantTextInput;
+  const bool deletes = last_ == key && no_field && ImGui::IsKeyPressed(GLFW_KEY_DELETE, false);
+  if (ImGui::Button("Remove") || deletes) {
+    bench.change(key, remove_stop(ramp, index));
+    editor.strip.selected = index > 0 ? index - 1 : 0;
+  }
+  bench.ui_map.mark_item("remove:" + key);
+  help_for_item("Remove the stop (Delete, or drag it away).");
+}
+
+void RampEditor::draw_ramp(Workbench& bench, const std::string& key, const Field& field, const Ramp& ramp,
+                           float width) {
+  Editor& editor = editors_[key];
+  Colours& colours = editor.colours;
+  if (colours.ramp != ramp || colours.files_revision != bench.files_revision()) {
+    colours = {ramp, bench.files_revision(), {}, ""};
+    try {
+      colours.table = ramp_table(ramp);
+    } catch (const Error& error) {
+      colours.problem = error.what();
+    }
+  }
+  title_row(bench, key, field, ramp, width);
+  const StripResult strip =
+      ramp_strip_editor("ramp:" + key, ramp, colours.table, width, editor.strip, bench.ui_map);
+  if (strip.pressed) {
+    bench.begin_edit();
+    last_ = key;
+  }
+  if (strip.changed && *strip.changed != ramp) bench.change(key, *strip.changed);
+  if (strip.released) bench.end_edit();
+  if (!ramp.image.empty()) {
+    if (ImGui::Button("Turn into stops") && colours.problem.empty()) bench.change(key, with_stops(ramp));
+    bench.ui_map.mark_item("to stops:" + key);
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    fitted_text(colours.problem.empty() ? ramp.image : colours.problem, ImGui::GetContentRegionAvail().x,
+                colours.problem.empty() ? theme().faint : theme().error);
+  } else if (!ramp.stops.empty()) {
+    const Ramp& now = strip.changed ? *strip.changed : ramp;
+    stop_colour(bench, key, now, std::min(editor.strip.selected, now.stops.size() - 1), strip.double_clicked,
+                editor.picking);
+    ImGui::SameLine();
+    stop_row(bench, key, now);
+  }
+}
+
+void RampEditor::draw(Workbench& bench) {
+  Settings settings = bench.settings();
+  std::vector<Param> ramps;
+  for (const Param& param : list_params(settings)) {
+    if (param.field->type == FieldType::ramp) ramps.push_back(param);
+  }
+  const float gap = scaled(28);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool beside = room > scaled(860) && ramps.size() == 2;
+  const float width = beside ? std::floor((room - gap) / 2) : room;
+  for (size_t i = 0; i < ramps.size(); ++i) {
+    if (beside && i > 0) ImGui::SameLine(0, gap);
+    ImGui::BeginGroup();
+    ImGui::PushID(ramps[i].key.c_str());
+    draw_ramp(bench, ramps[i].key, *ramps[i].field, std::get<Ramp>(ramps[i].value()), width);
+    ImGui::PopID();
+    ImGui::EndGroup();
+  }
+  fitted_text("Click the strip to add a stop, drag to move, Delete removes.", room, theme().faint);
+  question_.draw(bench);
+}
+
+}  // namespace inkbench

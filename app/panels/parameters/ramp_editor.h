@@ -1,0 +1,45 @@
+// The panel that edits the lighting ramps by their stops; the pictures follow while a stop is dragged. It
+// lists whatever parameters are ramps.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/panels/parameters/ramp_strip.h"
+#include "app/panels/widgets/file_question.h"
+#include "app/window/workbench.h"
+
+namespace inkbench {
+
+class RampEditor {
+ public:
+  /// Draws into the current ImGui window.
+  void draw(Workbench& bench);
+
+ private:
+  /// One ramp's colours, kept until it or a file on disk changes.
+  struct Colours {
+    Ramp ramp;
+    long files_revision = -1;
+    std::vector<glm::vec3> table;
+    std::string problem;
+  };
+  struct Editor {
+    StripState strip;
+    Colours colours;
+    std::optional<Ramp> before_bands;  ///< While the number of bands is dragged.
+    bool picking = false;              ///< A drag in the colour picker.
+  };
+
+  void draw_ramp(Workbench& bench, const std::string& key, const Field& field, const Ramp& ramp, float width);
+  void title_row(Workbench& bench, const std::string& key, const Field& field, const Ramp& ramp, float width);
+  void file_buttons(Workbench& bench, const std::string& key, const Ramp& ramp);
+  void stop_row(Workbench& bench, const std::string& key, const Ramp& ramp);
+
+  std::map<std::string, Editor> editors_;
+  std::string last_;  ///< The ramp that the Delete key means.
+  FileQuestion question_;
+};
+
+}  // namespace inkbench

@@ -1,0 +1,79 @@
+#include "app/panels/parameters/sweep_menu.h"
+
+#include <imgui.h>
+
+#include <vector>
+
+#include "app/panels/widgets/attempt.h"
+#include "app/panels/widgets/letter_key.h"
+
+namespace inkbench {
+namespace {
+
+/// The parameter itself, or the components of a vector, with their names for the menu.
+std::vector<std::string> sweepable(const Settings& settings, const std::string& key) {
+  Settings copy = settings;
+  if (!has_param(copy, key)) return {};
+  if (can_sweep(find_param(copy, key, key))) return {key};
+  std::vector<std::string> keys;
+  for (const std::string& other : sweepable_keys(settings)) {
+    if (other.starts_with(key + ".")) keys.push_back(other);
+  }
+  return keys;
+}
+
+/// The form that another axis can be added to.
+const StudyForm* open_form(Workbench& bench) {
+  const StudyForm* form = bench.studies.form();
+  const bool takes_more =
+      form != nullptr && !form->own_text && !form->request.axes.empty() && form->request.axes.size() < 3;
+  return takes_more ? form : nullptr;
+}
+
+void items(Workbench& bench, const std::string& key, const std::string& sweep, const std::string& add) {
+  if (ImGui::MenuItem(sweep.c_str(), "S"))
+    attempt(bench, [&] { bench.studies.sweep(bench.settings(), key); });
+  bench.ui_map.mark_item("sweep:" + key);
+  if (add.empty()) return;
+  if (ImGui::MenuItem(add.c_str(), "Shift+S"))
+    attempt(bench, [&] { bench.studies.add_axis(bench.settings(), key); });
+  bench.ui_map.mark_item("grid:" + key);
+}
+
+std::string add_label(Workbench& bench) {
+  const StudyForm* form = open_form(bench);
+  if (form == nullptr) return "";
+  const std::string& first = form->request.axes.front().key;
+  return "Grid of this and " + first.substr(first.find('.') + 1) + "...";
+}
+
+}  // namespace
+
+void sweep_menu_items(Workbench& bench, const std::string& key) {
+  const std::vector<std::string> keys = sweepable(bench.settings(), key);
+  if (keys.empty()) return;
+  ImGui::Separator();
+  const std::string add = add_label(bench);
+  for (const std::string& one : keys) {
+    const std::string part = one == key ? "" : " " + one.substr(key.size() + 1);
+    items(bench, one, "Sweep this" + part + "...", add.empty() ? "" : add + "##" + part);
+  }
+}
+
+void sweep_key(Workbench& bench, const std::string& key) {
+  if (!ImGui::IsItemHovered() || !letter_pressed('s')) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || popup) return;
+  const std::vector<std::string> keys = sweepable(bench.settings(), key);
+  if (keys.empty()) return;
+  attempt(bench, [&] {
+    if (io.KeyShift) {
+      bench.studies.add_axis(bench.settings(), keys.front());
+    } else {
+      bench.studies.sweep(bench.settings(), keys.front());
+    }
+  });
+}
+
+}  // namespace inkbench

@@ -1,0 +1,160 @@
+#include "app/panels/pictures/contact_sheet.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/panels/pictures/comparison.h"
+#include "app/panels/pictures/overlay_legend.h"
+#include "app/panels/pictures/picture_menu.h"
+#include "app/panels/pictures/picture_tile.h"
+#include "app/panels/widgets/widgets.h"
+#include "app/window/theme.h"
+#include "pipeline/base/text.h"
+
+namespace inkbench {
+namespace {
+
+struct SheetGrid {
+  int columns = 1, rows = 1;
+  float width = 0, height = 0;  ///< Of a picture.
+};
+
+float caption_height() {
+  return ImGui::GetFontSize() + scaled(6);
+}
+
+float gap() {
+  return scaled(10);
+}
+
+/// The number of columns with the largest pictures.
+SheetGrid best_grid(int count, ImVec2 room, float aspect) {
+  SheetGrid best;
+  for (int columns = 1; columns <= count; ++columns) {
+    const int rows = (count + columns - 1) / columns;
+    const float across = (room.x - gap() * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    const float down =
+        (room.y - gap() * static_cast<float>(rows - 1)) / static_cast<float>(rows) - caption_height();
+    const float width = std::floor(std::min(across, down * aspect));
+    if (width > best.width) best = {columns, rows, width, std::floor(width / aspect)};
+  }
+  return best;
+}
+
+std::string range_note(const ShownPicture& shown) {
+  if (shown.is_late) return "…";
+  if (!shown.range) return "";
+  return shortest(std::round(shown.range->black * 1e4F) / 1e4F) + " to " +
+         shortest(std::round(shown.range->white * 1e4F) / 1e4F);
+}
+
+/// The key that fills the window with the buffer: 1 to 9, then 0.
+std::string number_key(size_t index) {
+  return std::to_string((index + 1) % 10);
+}
+
+/// `shown`: the mouse is on the picture.
+void draw_fit_button(Workbench& bench, BufferName buffer, ImVec2 right_top, float height, bool shown) {
+  PictureChoice& choice = bench.pictures.choice(buffer);
+  const bool fitted = choice.kind == PictureChoice::Kind::fitted;
+  const float width = ImGui::CalcTextSize("fit").x + scaled(8);
+  ImGui::SetCursorScreenPos({right_top.x - width, right_top.y});
+  const std::string id = "fit:" + std::string(name_of(buffer));
+  if (ImGui::InvisibleButton(id.c_str(), {width, height})) toggle_fit(choice);
+  bench.ui_map.mark_item(id);
+  ImU32 colour = fitted ? theme().accent : theme().faint;
+  if (ImGui::IsItemHovered()) colour = theme().text;
+  if (!fitted && !shown && !ImGui::IsItemHovered()) return;
+  ImGui::GetWindowDrawList()->AddText({right_top.x - width + scaled(4), right_top.y + scaled(3)}, colour,
+                                      "fit");
+  help_for_item("Show the smallest value as black and the largest as white. Files keep the display gains.");
+}
+
+void draw_caption(Workbench& bench, BufferName buffer, const TileRect& picture, bool hovered) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float top = picture.low.y - caption_height();
+  const float text_y = top + scaled(3);
+  const auto index = static_cast<size_t>(buffer);
+  const ShownPicture& shown = bench.pictures.shown(buffer, false);
+  float right = picture.high.x;
+  float x = picture.low.x + scaled(1);
+  list.AddText({x, text_y}, theme().faint, number_key(index).c_str());
+  x += ImGui::CalcTextSize("0").x + scaled(6);
+  const float button = ImGui::CalcTextSize("fit").x + scaled(10);
+  const bool fitted = bench.pictures.choice(buffer).kind == PictureChoice::Kind::fitted;
+  const bool has_room = ImGui::CalcTextSize(name_of(buffer).data()).x + button <= right - x;
+  if (has_range(buffer) && (fitted || has_room)) {  // else the picture's menu has it
+    draw_fit_button(bench, buffer, {right, top}, caption_height(), hovered);
+    if (fitted || hovered) right -= button;
+  }
+  const ImU32 colour = bench.view.selected == buffer ? theme().accent : theme().text;
+  x += draw_fitted_text(list, {x, text_y}, right - x, colour, name_of(buffer)) + scaled(8);
+  const std::string note = range_note(shown);
+  if (!note.empty() && ImGui::CalcTextSize(note.c_str()).x < right - x)
+    list.AddText({x, text_y}, theme().faint, note.c_str());
+}
+
+void draw_tile(Workbench& bench, BufferName buffer, const TileRect& picture) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string name(name_of(buffer));
+  const ComparedPicture which{buffer, false};
+  const TileMouse mouse = handle_tile_mouse(bench, "tile:" + name, which, picture);
+  draw_picture_menu(bench, buffer);
+  if (mouse.clicked) bench.view.selected = buffer;
+  if (mouse.double_clicked) {
+    bench.view.filled = bench.view.filled ? std::nullopt : std::optional(buffer);
+  }
+  draw_picture(bench, name, which, picture, picture);
+  const bool selected = bench.view.selected == buffer;
+  const float out = selected ? scaled(1) : 0;
+  list.AddRect({picture.low.x - out, picture.low.y - out}, {picture.high.x + out, picture.high.y + out},
+               selected ? theme().accent : theme().line, 0, 0, selected ? scaled(2) : 1.0F);
+  draw_caption(bench, buffer, picture, mouse.hovered);
+}
+
+void draw_sheet(Workbench& bench, ImVec2 low, ImVec2 room) {
+  std::vector<BufferName> listed;
+  for (size_t i = 0; i < kBufferCount; ++i) {
+    if (bench.is_listed(static_cast<BufferName>(i))) listed.push_back(static_cast<BufferName>(i));
+  }
+  const ImageParams& image = bench.settings().image;
+  const SheetGrid grid = best_grid(static_cast<int>(listed.size()), room,
+                                   static_cast<float>(image.width) / static_cast<float>(image.height));
+  if (grid.width < 1) return;
+  const float across = grid.width + gap();
+  const float down = grid.height + caption_height() + gap();
+  const float left = low.x + (room.x - across * static_cast<float>(grid.columns) + gap()) / 2;
+  const float top = low.y + (room.y - down * static_cast<float>(grid.rows) + gap()) / 2;
+  for (size_t i = 0; i < listed.size(); ++i) {
+    const auto column = static_cast<float>(i % grid.columns);
+    const auto row = static_cast<float>(i / grid.columns);
+    const ImVec2 at{std::floor(left + column * across), std::floor(top + row * down + caption_height())};
+    draw_tile(bench, listed[i], {at, {at.x + grid.width, at.y + grid.height}});
+  }
+}
+
+}  // namespace
+
+void draw_contact_sheet(Workbench& bench) {
+  bench.view.hovered.reset();
+  const float edge = scaled(12);
+  ImVec2 low = ImGui::GetCursorScreenPos();
+  ImVec2 room = ImGui::GetContentRegionAvail();
+  low = {std::floor(low.x + edge), std::floor(low.y + scaled(6))};
+  room = {room.x - 2 * edge, room.y - scaled(6) - edge};
+  if (room.x < scaled(20) || room.y < scaled(20)) return;
+  if (bench.view.comparison.active) {
+    draw_comparison(bench, low, room);
+  } else if (bench.view.filled) {
+    const ImVec2 top{low.x, low.y + caption_height()};
+    draw_tile(bench, *bench.view.filled, {top, {std::floor(low.x + room.x), std::floor(low.y + room.y)}});
+  } else {
+    draw_sheet(bench, low, room);
+  }
+  draw_overlay_legend(bench, {low.x, low.y + room.y}, room.x);
+}
+
+}  // namespace inkbench

@@ -1,0 +1,145 @@
+#include "app/panels/widgets/value_bar.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/window/theme.h"
+#include "pipeline/base/text.h"
+
+namespace inkbench {
+namespace {
+
+/// The one number that is being typed, if any.
+struct Typing {
+  ImGuiID id = 0;
+  std::string text;
+  bool focus = false;
+  bool passes_on = false;  ///< Tab was pressed: the next bar is typed into.
+};
+
+Typing& typing() {
+  static Typing value;
+  return value;
+}
+
+double rounded_to(double value, double step) {
+  return std::round(value / step) * step;
+}
+
+/// The power of ten that is at most a two-hundredth of the range.
+double linear_step(const Limits& range) {
+  return std::pow(10.0, std::floor(std::log10((range.high - range.low) / 200.0)));
+}
+
+double log_step(double value) {
+  return std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
+}
+
+bool is_log(const Field& field) {
+  return field.scale == Scale::log && field.slider.low > 0.0;
+}
+
+/// A text field in the bar's place; true when it is done, confirmed or not.
+bool type_number(float width, BarResult& result) {
+  Typing& state = typing();
+  ImGui::SetNextItemWidth(width);
+  if (state.focus) ImGui::SetKeyboardFocusHere();
+  state.focus = false;
+  const bool confirmed = ImGui::InputText(
+      "##typed", &state.text, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool tab = ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab), false);
+  const bool left = ImGui::IsItemDeactivated() || tab;
+  const bool cancelled = left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  if ((confirmed || left) && !cancelled) result.typed = state.text;
+  if (tab) ImGui::ClearActiveID();
+  state.passes_on = tab;
+  return confirmed || left;
+}
+
+void draw_bar(ImVec2 low, ImVec2 high, const Field& field, double value, bool hot) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const auto colour = [](ImU32 c) { return ImGui::GetColorU32(c); };
+  list.AddRectFilled(low, high, colour(hot ? theme().field_hot : theme().field), rounding);
+  const bool named = value == 0.0 && !field.zero_text.empty();
+  const auto share = named ? 1.0F : static_cast<float>(share_of(field, value));
+  const float edge = low.x + share * (high.x - low.x);
+  list.PushClipRect(low, {edge, high.y}, true);
+  list.AddRectFilled(low, high, colour(theme().accent_soft), rounding);
+  list.PopClipRect();
+  if (hot) list.AddLine({edge, low.y + 1}, {edge, high.y - 1}, colour(theme().accent), scaled(2));
+  const std::string text =
+      named ? std::string(field.zero_text) : number_text(value, field.type == FieldType::integer);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 place{std::round(low.x + (high.x - low.x - size.x) / 2),
+                     low.y + (high.y - low.y - size.y) / 2};
+  list.AddText(place, colour(theme().text), text.c_str());
+}
+
+}  // namespace
+
+std::string number_text(double value, bool whole) {
+  if (whole) return with_commas(std::llround(value));
+  const std::string exact = shortest(static_cast<float>(value));
+  return exact.size() <= 7 ? exact : fmt::format("{:.4g}", value);
+}
+
+double share_of(const Field& field, double value) {
+  const auto [low, high] = field.slider;
+  if (!(high > low)) return 0.0;
+  const double share = is_log(field) ? std::log(std::max(value, low) / low) / std::log(high / low)
+                                     : (value - low) / (high - low);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+double value_at(const Field& field, double share, bool fine) {
+  const auto [low, high] = field.slider;
+  share = std::clamp(share, 0.0, 1.0);
+  double value = is_log(field) ? low * std::pow(high / low, share) : low + share * (high - low);
+  double step = is_log(field) ? log_step(value) : linear_step(field.slider);
+  if (fine) step /= 10.0;
+  if (field.type == FieldType::integer) step = std::max(1.0, step);
+  if (share > 0.0 && share < 1.0) value = rounded_to(value, step);
+  return std::clamp(value, low, high);
+}
+
+BarResult value_bar(const char* id, double value, const Field& field, float width) {
+  BarResult result;
+  ImGui::PushID(id);
+  const ImGuiID own = ImGui::GetID("bar");
+  if (typing().id == own) {
+    if (type_number(width, result)) typing() = {.passes_on = typing().passes_on};
+    ImGui::PopID();
+    return result;
+  }
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 high{low.x + width, low.y + ImGui::GetFrameHeight()};
+  ImGui::InvisibleButton("bar", {std::max(width, 1.0F), high.y - low.y});
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool wants_typing =
+      (ImGui::IsItemClicked() && io.KeyCtrl) || std::exchange(typing().passes_on, false);
+  if (wants_typing) {
+    const bool whole = field.type == FieldType::integer;
+    typing() = {own, whole ? fmt::format("{:.0f}", value) : shortest(static_cast<float>(value)), true};
+  }
+  const bool dragging = ImGui::IsItemActive() && !wants_typing && !io.KeyCtrl;
+  result.pressed = ImGui::IsItemActivated() && !wants_typing;
+  result.released = ImGui::IsItemDeactivated();
+  result.reset = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+  const bool moved = ImGui::IsItemActivated() || io.MouseDelta.x != 0.0F;
+  if (dragging && moved) {
+    result.value = value_at(field, (io.MousePos.x - low.x) / (high.x - low.x), io.KeyShift);
+    result.dragged = result.value != value;
+  }
+  draw_bar(low, high, field, value, ImGui::IsItemHovered() || ImGui::IsItemActive());
+  ImGui::PopID();
+  return result;
+}
+
+}  // namespace inkbench

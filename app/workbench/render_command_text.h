@@ -1,0 +1,25 @@
+// The settings as a command line: `inkbench render ...` that draws the same.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/flow/buffer_names.h"
+#include "pipeline/settings/settings.h"
+
+namespace inkbench {
+
+struct RenderCommand {
+  std::string text;                      ///< One line, quoted for a POSIX shell.
+  std::vector<std::string> assignments;  ///< What its `--set`s say, unquoted.
+  std::filesystem::path scene;           ///< What they are set on.
+};
+
+/// `scene` is the file that the settings started from, or empty; one that is the paper's is not written.
+/// Errors (input): no scene file has these models and lights: the settings must be saved as one first.
+RenderCommand render_command(const Settings& settings, const std::filesystem::path& scene,
+                             const std::vector<BufferName>& buffers = {BufferName::final},
+                             const std::filesystem::path& out = "out/render");
+
+}  // namespace inkbench

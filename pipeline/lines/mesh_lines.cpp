@@ -1,0 +1,94 @@
+#include "pipeline/lines/mesh_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace inkbench {
+namespace {
+
+using Uses = std::span<const MeshTopology::Use>;
+
+bool is_silhouette(Uses uses, const std::vector<int8_t>& facings) {
+  int fronts = 0;
+  int backs = 0;
+  int balance = 0;
+  for (const MeshTopology::Use& use : uses) {
+    fronts += facings[use.face] > 0 ? 1 : 0;
+    backs += facings[use.face] < 0 ? 1 : 0;
+    if (facings[use.face] > 0) balance += use.forward ? 1 : -1;
+  }
+  return fronts > 0 && backs > 0 && (uses.size() == 2 || balance != 0);
+}
+
+bool is_crease(Uses uses, const std::vector<glm::dvec3>& normals, double min_cosine) {
+  const auto within = [&](const MeshTopology::Use& a, const MeshTopology::Use& b) {
+    return glm::dot(normals[a.face], normals[b.face]) >= min_cosine;
+  };
+  const bool all_known = std::all_of(uses.begin(), uses.end(), [&](const MeshTopology::Use& use) {
+    return normals[use.face] != glm::dvec3(0.0);
+  });
+  if (uses.size() < 2 || !all_known) return false;
+  if (uses.size() == 2) return !within(uses[0], uses[1]);
+  return std::any_of(uses.begin(), uses.end(), [&](const MeshTopology::Use& use) {
+    return std::none_of(uses.begin(), uses.end(), [&](const MeshTopology::Use& other) {
+      return consistent(use, other) && within(use, other);
+    });
+  });
+}
+
+template <class Test>
+std::vector<uint32_t> edges_that(const MeshTopology& topology, const Test& test) {
+  std::vector<uint32_t> result;
+  for (uint32_t e = 0; e < topology.edges.size(); ++e) {
+    if (test(topology.uses_of(topology.edges[e]))) result.push_back(e);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<int8_t> face_facings(const MeshTopology& topology, const glm::dvec3& eye, bool mirrored) {
+  std::vector<int8_t> facings(topology.faces.size());
+  for (size_t f = 0; f < facings.size(); ++f) {
+    const glm::dvec3& normal = topology.normals[f];
+    const double towards = glm::dot(normal, eye - topology.positions[topology.faces[f][0]]);
+    const bool is_front = mirrored ? towards < 0.0 : towards > 0.0;
+    facings[f] = static_cast<int8_t>(normal == glm::dvec3(0.0) ? 0 : is_front ? 1 : -1);
+  }
+  return facings;
+}
+
+std::vector<uint32_t> silhouette_edges(const MeshTopology& topology, const std::vector<int8_t>& facings) {
+  return edges_that(topology, [&](Uses uses) { return is_silhouette(uses, facings); });
+}
+
+std::vector<uint32_t> boundary_edges(const MeshTopology& topology) {
+  return edges_that(topology, [](Uses uses) { return uses.size() == 1; });
+}
+
+std::vector<uint32_t> crease_edges(const MeshTopology& topology, double angle_deg,
+                                   const glm::dmat3& stretch) {
+  const double min_cosine = std::cos(glm::radians(angle_deg));
+  if (stretch == glm::dmat3(1.0)) {
+    return edges_that(topology, [&](Uses uses) { return is_crease(uses, topology.normals, min_cosine); });
+  }
+  const glm::dmat3 to_stretched = glm::transpose(glm::inverse(stretch));
+  std::vector<glm::dvec3> normals = topology.normals;
+  for (glm::dvec3& normal : normals) {
+    const glm::dvec3 stretched = to_stretched * normal;
+    normal = normal == glm::dvec3(0.0) ? normal : glm::normalize(stretched);
+  }
+  return edges_that(topology, [&](Uses uses) { return is_crease(uses, normals, min_cosine); });
+}
+
+std::vector<Link> links_of(const MeshTopology& topology, const std::vector<uint32_t>& edges) {
+  std::vector<Link> links;
+  links.reserve(edges.size());
+  for (const uint32_t edge : edges) links.push_back(topology.edges[edge].points);
+  return links;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,38 @@
+// Lines of tier 1 that lie along mesh edges, in the mesh's own space, hidden parts included. In: topology and
+// eye. Out: edges by class.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "pipeline/lines/chain.h"
+#include "pipeline/lines/topology.h"
+
+namespace inkbench {
+
+inline constexpr double kCreaseAngleDeg = 40.0;
+
+/// 1: front-facing, -1: back-facing, 0: without a normal. A face is front-facing if dot(face normal, eye -
+/// point) > 0; one that is seen exactly edge-on counts as back-facing. `mirrored`: the mesh is shown through
+/// a matrix with a negative determinant, which turns its faces around.
+std::vector<int8_t> face_facings(const MeshTopology& topology, const glm::dvec3& eye, bool mirrored = false);
+
+/// Edges between a front-facing and a back-facing face. A non-manifold edge is one if it has faces of both
+/// kinds, and among the front-facing ones those that run along it and those that run against it differ in
+/// number: then no pairing of the faces hides it (two solids that touch in an edge, a sheet with two sides).
+std::vector<uint32_t> silhouette_edges(const MeshTopology& topology, const std::vector<int8_t>& facings);
+
+/// Edges with one face.
+std::vector<uint32_t> boundary_edges(const MeshTopology& topology);
+
+/// Edges whose face normals differ by more than the angle, measured with the mesh stretched by `stretch`. A
+/// non-manifold edge is one if some face has no partner within the angle that runs against it.
+std::vector<uint32_t> crease_edges(const MeshTopology& topology, double angle_deg = kCreaseAngleDeg,
+                                   const glm::dmat3& stretch = glm::dmat3(1.0));
+
+/// The end points of edges.
+std::vector<Link> links_of(const MeshTopology& topology, const std::vector<uint32_t>& edges);
+
+}  // namespace inkbench

@@ -1,0 +1,47 @@
+// The smooth parts of a mesh with their curvature. In: topology. Out: points, normals and curvature tensors,
+// smoothed, and derivatives over the surface. View-independent; lines of tier 2 are read from it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "pipeline/lines/topology.h"
+
+namespace inkbench {
+
+/// A symmetric 3 x 3 matrix: xx, xy, xz, yy, yz, zz. As a curvature tensor it maps a direction along the
+/// surface to the change of the normal: positive where the surface is convex.
+using SymmetricTensor = std::array<double, 6>;
+
+double quadratic_form(const SymmetricTensor& tensor, const glm::dvec3& direction);
+
+/// Surfaces end at creases, at boundaries, at non-manifold edges and between faces that run against each
+/// other: a point there belongs to several parts, and is in the lists once for each.
+struct SmoothSurface {
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::dvec3> normals;         ///< Of unit length; smoothed.
+  std::vector<SymmetricTensor> curvature;  ///< Tangent to the surface, in 1 / length; smoothed.
+  std::vector<std::array<uint32_t, 3>> faces;
+  /// Where a line crosses the edge from corner i to corner i + 1: equal for faces of one part on both sides.
+  std::vector<std::array<uint32_t, 3>> crossings;
+  uint32_t crossing_count = 0;
+  double radius = 0.0;  ///< Half the diagonal of the bounding box.
+};
+
+/// `smoothing`: standard deviation of the Gaussian-like weights, along the surface, by which first normals
+/// and then tensors are averaged, in mean edge lengths; 0: not at all. `stretch` is applied to all positions.
+/// Source: Rusinkiewicz, "Estimating curvatures and their derivatives on triangle meshes", 2004; normals are
+/// weighted as by Max, 1999. We keep tensors as 3 x 3 matrices, so that averaging needs no common frame.
+SmoothSurface make_smooth_surface(const MeshTopology& topology, double crease_angle_deg, double smoothing,
+                                  const glm::dmat3& stretch);
+
+/// Gradient of a scalar given at the points: that of the faces, averaged by area.
+std::vector<glm::dvec3> gradient_at_points(const SmoothSurface& surface, const std::vector<double>& scalar);
+
+/// Gradient of a scalar that is linear on a face, from its values at the corners; 0 on a face without area.
+glm::dvec3 gradient_on_face(const SmoothSurface& surface, uint32_t face, const glm::dvec3& scalar);
+
+}  // namespace inkbench

@@ -1,0 +1,12 @@
+// Vertex normals from the faces around them. In: a mesh. Out: the same with other normals.
+#pragma once
+
+#include "pipeline/mesh/mesh.h"
+
+namespace inkbench {
+
+/// Replaces the normals by the angle-weighted average of the adjacent face normals (Thuermer and Wuethrich
+/// 1998); a vertex without a usable face gets +y.
+void smooth_normals(Mesh& mesh);
+
+}  // namespace inkbench

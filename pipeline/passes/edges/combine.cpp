@@ -1,0 +1,24 @@
+#include "pipeline/passes/edges/combine.h"
+
+#include "pipeline/gl/framebuffer.h"
+#include "pipeline/params/glsl_block.h"
+
+namespace inkbench {
+
+CombinePass::CombinePass(const GeneratedSources& generated)
+    : program_("full_screen.vert", "combine.frag",
+               {.samplers = {"range_map"}, .uniform_blocks = {"combine_block"}}, generated) {}
+
+Texture CombinePass::run(const CombineParams& params, const Texture& range, Precision precision) const {
+  const TextureFormat format = precision == Precision::float32 ? TextureFormat::r32f : TextureFormat::r8;
+  Texture edges("combined edges", format, range.width_px(), range.height_px());
+  const RenderTarget target({&edges}, nullptr);
+  const Buffer uniforms("combine block", pack_std140(CombineParams::description(), &params));
+  program_.use();
+  bind_uniform_blocks({&uniforms});
+  bind_textures({&range});
+  draw_full_screen();
+  return edges;
+}
+
+}  // namespace inkbench

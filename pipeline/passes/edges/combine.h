@@ -1,0 +1,21 @@
+// Combined edges: both terms, their sum against the threshold (3.4.4).
+#pragma once
+
+#include "pipeline/gl/program.h"
+#include "pipeline/settings/combine_params.h"
+#include "pipeline/settings/image_params.h"
+
+namespace inkbench {
+
+class CombinePass {
+ public:
+  explicit CombinePass(const GeneratedSources& generated);
+  /// In: ranges of the depth and normal gradients. Out: r32f or r8, 0 where there is no line.
+  Texture run(const CombineParams& params, const Texture& range, Precision precision) const;
+  Program& program() { return program_; }
+
+ private:
+  Program program_;
+};
+
+}  // namespace inkbench

@@ -1,0 +1,90 @@
+#include "pipeline/passes/gbuffer/gbuffer.h"
+
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+
+#include "pipeline/gl/framebuffer.h"
+
+namespace inkbench {
+namespace {
+
+/// shaders/lib/draw_block.glsl in std140.
+struct DrawBlock {
+  glm::mat4 model_to_clip;
+  glm::mat4 normal_to_world;
+  float object_id;
+  float far;
+  float padding[2];
+};
+
+/// Distance from the eye to the farthest point of the near plane that the image shows.
+float near_corner_distance(const CameraParams& camera, float aspect) {
+  const float half_height = std::tan(glm::radians(camera.fov) / 2.0F);
+  return camera.near * glm::length(glm::vec3(half_height * aspect, half_height, 1.0F));
+}
+
+/// Whether the back faces are hidden for certain: the mesh is closed, and eye and near plane are outside its
+/// box. Then leaving them out changes no pixel and saves a third of the pass.
+bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float aspect) {
+  if (!item.mesh->closed_outwards()) return false;
+  const auto [low, high] = bounds_in_world(item);
+  const glm::vec3 outside = glm::max(glm::max(low - camera.eye, camera.eye - high), glm::vec3(0.0F));
+  return glm::length(outside) > near_corner_distance(camera, aspect);
+}
+
+}  // namespace
+
+Bounds bounds_in_world(const DrawItem& item) {
+  const Bounds& bounds = item.mesh->bounds();
+  glm::vec3 low(std::numeric_limits<float>::max());
+  glm::vec3 high(std::numeric_limits<float>::lowest());
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 model((corner & 1) != 0 ? bounds.high.x : bounds.low.x,
+                          (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
+                          (corner & 4) != 0 ? bounds.high.z : bounds.low.z);
+    const glm::vec3 world(item.model_to_world * glm::vec4(model, 1.0F));
+    low = glm::min(low, world);
+    high = glm::max(high, world);
+  }
+  return {low, high};
+}
+
+GBufferPass::GBufferPass(const GeneratedSources& generated)
+    : program_("gbuffer.vert", "gbuffer.frag", {.uniform_blocks = {"draw_block"}}, generated) {}
+
+GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> items, int width_px,
+                         int height_px) const {
+  GBuffer result{Texture("normal and depth", TextureFormat::rgba32f, width_px, height_px),
+                 Texture("object id", TextureFormat::r32f, width_px, height_px)};
+  const Texture hidden_surfaces("hidden surfaces", TextureFormat::depth32f, width_px, height_px);
+  const RenderTarget target({&result.normal_and_depth, &result.object_id}, &hidden_surfaces);
+  constexpr std::array kNoNormalAndFar{0.5F, 0.5F, 0.5F, 1.0F};
+  constexpr std::array kNoId{0.0F, 0.0F, 0.0F, 0.0F};
+  constexpr float kFarthest = 1.0F;
+  glClearBufferfv(GL_COLOR, 0, kNoNormalAndFar.data());
+  glClearBufferfv(GL_COLOR, 1, kNoId.data());
+  glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+  program_.use();
+  const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
+  const glm::mat4 world_to_clip = projection_matrix(camera, aspect) * view_matrix(camera);
+  for (const DrawItem& item : items) {
+    const glm::mat4 normal_to_world(glm::transpose(glm::inverse(glm::mat3(item.model_to_world))));
+    const DrawBlock block{world_to_clip * item.model_to_world,
+                          normal_to_world,
+                          static_cast<float>(item.object_id),
+                          camera.far,
+                          {}};
+    const Buffer uniforms("draw block", bytes_of(std::span(&block, 1)));
+    bind_uniform_blocks({&uniforms});
+    (back_faces_hidden(item, camera, aspect) ? glEnable : glDisable)(GL_CULL_FACE);
+    item.mesh->draw();
+  }
+  return result;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,108 @@
+#include "pipeline/passes/light/shade.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "pipeline/base/error.h"
+#include "pipeline/gl/framebuffer.h"
+#include "pipeline/params/glsl_block.h"
+
+namespace inkbench {
+namespace {
+
+/// view_block of shaders/shade.frag in std140.
+struct ViewBlock {
+  glm::vec3 eye;
+  float far;
+  alignas(16) glm::vec3 ray_corner;
+  alignas(16) glm::vec3 ray_right;
+  alignas(16) glm::vec3 ray_up;
+  alignas(16) glm::vec3 ambient;
+  alignas(16) glm::vec3 background;
+  int use_ramps;
+  int light_count;
+};
+
+ViewBlock make_view_block(const ShadeParams& params, float aspect) {
+  const CameraParams& camera = params.camera;
+  const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
+  const glm::vec3 side = glm::normalize(glm::cross(forward, camera.up));
+  const glm::vec3 up = glm::cross(side, forward);
+  const float half_height = std::tan(glm::radians(camera.fov) / 2.0F);
+  ViewBlock block{};
+  block.eye = camera.eye;
+  block.far = camera.far;
+  block.ray_right = side * (2.0F * half_height * aspect);
+  block.ray_up = up * (2.0F * half_height);
+  block.ray_corner = forward - (block.ray_right + block.ray_up) / 2.0F;
+  block.ambient = params.scene.ambient;
+  block.background = params.scene.background;
+  block.use_ramps = params.ramp.enabled ? 1 : 0;
+  block.light_count = static_cast<int>(params.lights.size());
+  return block;
+}
+
+/// A uniform buffer of `capacity` packed structs, the first ones from `items`.
+template <class Item>
+Buffer make_list(const std::string& label, const std::vector<Item>& items, int capacity) {
+  if (std::ssize(items) > capacity) {
+    throw input_error("scene", fmt::format("has {} {}", items.size(), label),
+                      fmt::format("at most {}", capacity));
+  }
+  const Item spare;
+  const size_t stride = pack_std140(Item::description(), &spare).size();
+  std::vector<uint8_t> bytes(stride * static_cast<size_t>(capacity));
+  for (size_t i = 0; i < items.size(); ++i) {
+    const std::vector<uint8_t> packed = pack_std140(Item::description(), &items[i]);
+    std::copy(packed.begin(), packed.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i * stride));
+  }
+  return {label, bytes};
+}
+
+Texture make_ramp_texture(const RampParams& ramp) {
+  Image table(kRampTexels, 2, 4, 1.0F);
+  const auto fill = [&](int row, const std::vector<glm::vec3>& colours) {
+    for (int x = 0; x < kRampTexels; ++x) {
+      for (int c = 0; c < 3; ++c) table.at(x, row, c) = colours[x][c];
+    }
+  };
+  // Images have row 0 on top and textures at the bottom, so the diffuse ramp, texture row 0, is the lower
+  // one.
+  if (ramp.enabled) fill(1, ramp_table(ramp.diffuse));
+  if (ramp.enabled) fill(0, ramp_table(ramp.specular));
+  Texture texture("ramps", TextureFormat::rgba32f, kRampTexels, 2);
+  texture.upload(table);
+  return texture;
+}
+
+}  // namespace
+
+ShadePass::ShadePass(const GeneratedSources& generated)
+    : program_("full_screen.vert", "shade.frag",
+               {.samplers = {"normal_and_depth_map", "object_id_map", "ramp_table"},
+                .uniform_blocks = {"view_block", "light_list", "material_list"}},
+               generated) {}
+
+Texture ShadePass::run(const ShadeParams& params, const GBuffer& gbuffer) const {
+  const int width_px = gbuffer.object_id.width_px();
+  const int height_px = gbuffer.object_id.height_px();
+  Texture shaded("shaded", TextureFormat::rgba32f, width_px, height_px);
+  const ViewBlock block =
+      make_view_block(params, static_cast<float>(width_px) / static_cast<float>(height_px));
+  const Buffer view("view block", bytes_of(std::span(&block, 1)));
+  const Buffer lights = make_list("lights", params.lights, kMaxLights);
+  const Buffer materials = make_list("materials", params.materials, kMaxModels);
+  const Texture ramps = make_ramp_texture(params.ramp);
+  const RenderTarget target({&shaded}, nullptr);
+  program_.use();
+  bind_uniform_blocks({&view, &lights, &materials});
+  bind_textures({&gbuffer.normal_and_depth, &gbuffer.object_id, &ramps});
+  draw_full_screen();
+  return shaded;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,30 @@
+#include "pipeline/settings/display_params.h"
+
+namespace inkbench {
+
+const Description& DisplayParams::description() {
+  static const Description kDescription{
+      "display",
+      "Pictures of the buffers",
+      {
+          field<&DisplayParams::depth_gain>({.name = "depth_gain",
+                                             .help = "The depth picture is multiplied by this.",
+                                             .limits = {1e-3, 1e6},
+                                             .slider = {0.1, 100},
+                                             .scale = Scale::log}),
+          field<&DisplayParams::depth_edges_gain>({.name = "depth_edges_gain",
+                                                   .help = "The depth edges' picture is multiplied by this.",
+                                                   .limits = {1e-3, 1e6},
+                                                   .slider = {1, 1000},
+                                                   .scale = Scale::log}),
+          field<&DisplayParams::normal_edges_gain>(
+              {.name = "normal_edges_gain",
+               .help = "The normal edges' picture is multiplied by this.",
+               .limits = {1e-3, 1e6},
+               .slider = {1, 1000},
+               .scale = Scale::log}),
+      }};
+  return kDescription;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,88 @@
+#include "pipeline/settings/model.h"
+
+namespace inkbench {
+
+const Description& MaterialParams::description() {
+  static const Description kDescription{
+      "material",
+      "Material of a model (3.1)",
+      {
+          colour_field<&MaterialParams::colour>(
+              {.name = "colour", .help = "Colour; multiplies the ambient and diffuse coefficients."}),
+          field<&MaterialParams::ambient>(
+              {.name = "ambient", .help = "Ambient coefficient.", .limits = {0, 10}, .slider = {0, 1}}),
+          field<&MaterialParams::diffuse>(
+              {.name = "diffuse", .help = "Diffuse coefficient.", .limits = {0, 10}, .slider = {0, 1}}),
+          field<&MaterialParams::specular>(
+              {.name = "specular",
+               .help = "Specular coefficient; the highlight has the light's colour.",
+               .limits = {0, 10},
+               .slider = {0, 1}}),
+          field<&MaterialParams::exponent>(
+              {.name = "exponent",
+               .help = "Specular exponent: larger is a smaller, sharper highlight.",
+               .limits = {0.1, 10000},
+               .slider = {1, 500},
+               .scale = Scale::log}),
+      }};
+  return kDescription;
+}
+
+const Description& ModelParams::description() {
+  static const Description kDescription{
+      "model",
+      "Models, each under its name",
+      {
+          field<&ModelParams::visible>({.name = "visible", .help = "Draw this model."}),
+          field<&ModelParams::shape>({.name = "shape", .help = "A mesh from a file, or a built-in shape."}),
+          field<&ModelParams::mesh>(
+              {.name = "mesh",
+               .help = "Mesh file (OBJ, PLY, OFF, STL), or \"rabbit\" for Debian's bunny.obj.",
+               .is_path = true,
+               .not_a_path = kRabbit,
+               .matters_when = "shape = mesh"}),
+          field<&ModelParams::segments>(
+              {.name = "segments",
+               .help = "Tessellation of a built-in shape; flat sides look the same at any.",
+               .limits = {1, 1024},
+               .slider = {1, 128},
+               .scale = Scale::log,
+               .matters_when = "shape != mesh"}),
+          field<&ModelParams::fillet>({.name = "fillet",
+                                       .help = "Radius of the rounded edges of a rounded box of side 1.",
+                                       .limits = {0, 0.5},
+                                       .matters_when = "shape = rounded_box"}),
+          field<&ModelParams::tube>({.name = "tube",
+                                     .help = "Tube radius of a torus of ring radius 1.",
+                                     .limits = {0.01, 0.99},
+                                     .matters_when = "shape = torus"}),
+          field<&ModelParams::size>(
+              {.name = "size",
+               .help = "Longest side of the bounding box; 0 keeps the mesh's own units.",
+               .unit = "world units",
+               .limits = {0, 1e4},
+               .slider = {0, 10}}),
+          field<&ModelParams::anchor>(
+              {.name = "anchor",
+               .help = "The point of the mesh that stands on position: its origin, or the "
+                       "middle of its base."}),
+          field<&ModelParams::position>({.name = "position",
+                                         .help = "Where the anchor stands.",
+                                         .unit = "world units",
+                                         .limits = {-1e4, 1e4},
+                                         .slider = {-10, 10}}),
+          field<&ModelParams::rotation>({.name = "rotation",
+                                         .help = "Turn about x, then y, then z.",
+                                         .unit = "deg",
+                                         .limits = {-360, 360},
+                                         .slider = {-180, 180}}),
+          field<&ModelParams::scale>({.name = "scale",
+                                      .help = "Stretch along the model's own axes.",
+                                      .limits = {1e-4, 1e4},
+                                      .slider = {0.1, 10},
+                                      .scale = Scale::log}),
+      }};
+  return kDescription;
+}
+
+}  // namespace inkbench

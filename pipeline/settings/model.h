@@ -1,0 +1,59 @@
+// A model: a mesh file or a built-in shape, where it stands, and its material.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
+
+#include "pipeline/params/description.h"
+
+namespace inkbench {
+
+enum class Shape { mesh, box, rounded_box, sphere, inside_out_sphere, torus, plane };
+template <>
+struct ChoiceNames<Shape> {
+  static constexpr std::array<std::string_view, 7> names{
+      "mesh", "box", "rounded_box", "sphere", "inside_out_sphere", "torus", "plane"};
+};
+
+/// What `mesh` names instead of a file: bunny.obj of Debian's package glmark2-data.
+inline constexpr std::string_view kRabbit = "rabbit";
+
+/// The point of the mesh that stands on `position`.
+enum class Anchor { origin, base };
+template <>
+struct ChoiceNames<Anchor> {
+  static constexpr std::array<std::string_view, 2> names{"origin", "base"};
+};
+
+/// Material coefficients of 3.1.
+struct MaterialParams {
+  glm::vec3 colour{0.8F};
+  float ambient = 1.0F;
+  float diffuse = 1.0F;
+  float specular = 0.0F;
+  float exponent = 32.0F;
+
+  static const Description& description();
+};
+
+struct ModelParams {
+  std::string name;
+  bool visible = true;
+  Shape shape = Shape::mesh;
+  std::string mesh{kRabbit};
+  int segments = 32;
+  float fillet = 0.1F;
+  float tube = 0.35F;
+  float size = 0.0F;
+  Anchor anchor = Anchor::origin;
+  glm::vec3 position{0.0F};
+  glm::vec3 rotation{0.0F};
+  glm::vec3 scale{1.0F};
+  MaterialParams material;
+
+  static const Description& description();
+};
+
+}  // namespace inkbench

@@ -1,0 +1,157 @@
+#include "pipeline/settings/settings.h"
+
+#include <optional>
+#include <set>
+
+#include "pipeline/base/error.h"
+#include "pipeline/base/text.h"
+#include "pipeline/params/toml_value.h"
+
+namespace inkbench {
+namespace {
+
+int component_of(const std::string& key, const Field& field) {
+  if (field.type != FieldType::vector && field.type != FieldType::colour) return -1;
+  const size_t dot = key.rfind('.');
+  const std::string_view name = std::string_view(key).substr(dot + 1);
+  if (name.size() != 1) return -1;
+  const size_t place = std::string_view("xyzrgb").find(name[0]);
+  return place == std::string_view::npos ? -1 : static_cast<int>(place % 3);
+}
+
+/// The groups of the models and lights that `wanted(prefix)` names, and all others.
+template <class Wanted>
+std::vector<ParamGroup> groups_where(Settings& settings, const Wanted& wanted) {
+  std::vector<ParamGroup> groups;
+  const auto add = [&](const std::string& prefix, const Description& description, void* owner) {
+    groups.push_back({prefix, &description, owner});
+  };
+  add("image", ImageParams::description(), &settings.image);
+  add("camera", CameraParams::description(), &settings.camera);
+  add("scene", SceneParams::description(), &settings.scene);
+  for (ModelParams& model : settings.models) {
+    if (!wanted("model", model.name)) continue;
+    add("model." + model.name, ModelParams::description(), &model);
+    add("model." + model.name + ".material", MaterialParams::description(), &model.material);
+  }
+  add("mesh", MeshParams::description(), &settings.mesh);
+  for (LightParams& light : settings.lights) {
+    if (wanted("light", light.name)) add("light." + light.name, LightParams::description(), &light);
+  }
+  add("ramp", RampParams::description(), &settings.ramp);
+  add("combine", CombineParams::description(), &settings.combine);
+  add("ink", InkParams::description(), &settings.ink);
+  add("display", DisplayParams::description(), &settings.display);
+  return groups;
+}
+
+/// Looks only into the groups that the key can be in: a study looks up keys by the million, a scene may have
+/// thousands of models.
+std::optional<Param> lookup(Settings& settings, const std::string& key) {
+  const auto is_named = [&](std::string_view list, const std::string& name) {
+    const size_t end = list.size() + 1 + name.size();
+    return key.size() > end && key[end] == '.' && key.starts_with(list) &&
+           key.compare(list.size() + 1, name.size(), name) == 0;
+  };
+  for (const ParamGroup& group : groups_where(settings, is_named)) {
+    if (!key.starts_with(group.prefix) || key.size() <= group.prefix.size() ||
+        key[group.prefix.size()] != '.')
+      continue;
+    const std::string_view rest = std::string_view(key).substr(group.prefix.size() + 1);
+    for (const Field& field : group.description->fields) {
+      if (rest == field.name) return Param{key, &field, group.owner, -1};
+      const bool is_prefix = rest.size() == field.name.size() + 2 && rest.starts_with(field.name) &&
+                             rest[field.name.size()] == '.';
+      const int component = is_prefix ? component_of(key, field) : -1;
+      if (component >= 0) return Param{key, &field, group.owner, component};
+    }
+  }
+  return std::nullopt;
+}
+
+void check_names_differ(const Settings& settings) {
+  std::set<std::string> names;
+  for (const ModelParams& model : settings.models) {
+    if (!names.insert(model.name).second)
+      throw input_error("model", "two models are named '" + model.name + "'");
+  }
+  names.clear();
+  for (const LightParams& light : settings.lights) {
+    if (!names.insert(light.name).second)
+      throw input_error("light", "two lights are named '" + light.name + "'");
+  }
+}
+
+}  // namespace
+
+std::vector<ParamGroup> list_groups(Settings& settings) {
+  return groups_where(settings, [](std::string_view, const std::string&) { return true; });
+}
+
+std::vector<Param> list_params(Settings& settings) {
+  std::vector<Param> params;
+  for (const ParamGroup& group : list_groups(settings)) {
+    for (const Field& field : group.description->fields) {
+      params.push_back({group.prefix + "." + std::string(field.name), &field, group.owner, -1});
+    }
+  }
+  return params;
+}
+
+bool has_param(Settings& settings, const std::string& key) {
+  return lookup(settings, key).has_value();
+}
+
+Param find_param(Settings& settings, const std::string& key, const std::string& where) {
+  if (const std::optional<Param> param = lookup(settings, key)) return *param;
+  std::vector<std::string> keys;
+  for (const Param& param : list_params(settings)) keys.push_back(param.key);
+  const std::string nearest = suggest(key, keys);
+  throw input_error(where, "unknown parameter '" + key + "'",
+                    nearest.empty() ? "`inkbench params` lists them all" : nearest);
+}
+
+void set_param_text(Settings& settings, const std::string& key, const std::string& text,
+                    const std::string& where) {
+  const Param param = find_param(settings, key, where);
+  param.set(value_from_text(param, text, where), where);
+}
+
+void apply_assignment(Settings& settings, const std::string& assignment) {
+  const size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw input_error("--set " + assignment, "is not KEY=VALUE", "for example --set combine.k_depth=0.005");
+  }
+  const std::string key(trim(assignment.substr(0, equals)));
+  set_param_text(settings, key, assignment.substr(equals + 1), "--set " + assignment);
+}
+
+void check_settings(const Settings& settings) {
+  check_camera(settings.camera);
+  check_names_differ(settings);
+  for (const LightParams& light : settings.lights) {
+    if (light.type == LightType::directional && light.direction == glm::vec3(0.0F)) {
+      throw input_error("light." + light.name + ".direction", "is [0, 0, 0], which is no direction",
+                        "give the direction towards the light, such as [0, 1, 0]");
+    }
+  }
+}
+
+std::optional<size_t> main_model_index(const Settings& settings) {
+  for (size_t i = 0; i < settings.models.size(); ++i) {
+    if (settings.models[i].shape == Shape::mesh) return i;
+  }
+  return settings.models.empty() ? std::nullopt : std::optional<size_t>(0);
+}
+
+MeshParams level_of(const Settings& settings, size_t model) {
+  return main_model_index(settings) == model ? settings.mesh : MeshParams{};
+}
+
+ModelParams& main_model(Settings& settings) {
+  const std::optional<size_t> index = main_model_index(settings);
+  if (!index) throw input_error("scene", "has no models", "add a [[model]] table");
+  return settings.models[*index];
+}
+
+}  // namespace inkbench
