@@ -11,7 +11,6 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
-#include "pipeline/mesh/formats/mesh_file.h"
 #include "pipeline/mesh/normals.h"
 #include "pipeline/mesh/triangulate.h"
 
