@@ -12,7 +12,6 @@
 #include "pipeline/gl/context.h"
 #include "pipeline/mesh/levels/replace_mesh.h"
 #include "pipeline/settings/settings_file.h"
-#include "studies/judging/buffer_source.h"
 
 namespace inkbench {
 namespace {
@@ -42,10 +41,9 @@ void check_format(const std::string& format, const std::vector<BufferName>& buff
 }
 
 /// Writes `out/<buffer>.<format>`; returns its path.
-fs::path write_to_folder(BufferSource& source, const Settings& settings, BufferName buffer,
-                         const RenderOptions& options) {
+fs::path write_to_folder(const Frame& frame, BufferName buffer, const RenderOptions& options) {
   const fs::path path = fs::path(options.out) / (std::string(name_of(buffer)) + "." + options.format);
-  write_buffer(source, settings, buffer, path);
+  write_buffer(frame, buffer, path);
   return path;
 }
 
@@ -61,10 +59,10 @@ void render(const RenderOptions& options) {
   check_format(options.format, buffers);
   const HeadlessContext context;
   Pipeline pipeline;
-  BufferSource source(pipeline);
+  const Frame frame = pipeline.at(settings);
   make_folder(options.out);
   for (const BufferName buffer : buffers) {
-    fmt::print("{}\n", write_to_folder(source, settings, buffer, options).string());
+    fmt::print("{}\n", write_to_folder(frame, buffer, options).string());
   }
 }
 
@@ -87,8 +85,7 @@ void add_render_command(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option(
       "--buffers", options->buffers,
-      "Comma-separated: normal, depth, normal_edges, depth_edges, combined_edges, shaded, final, "
-      "blinn_phong, object_id, reference, or all; final without it");
+      "Comma-separated: " + buffer_list() + ", or all; final without it");
   command
       ->add_option("--format", options->format,
                    "png: pictures; exr: raw 32-bit float values; svg: reference as paths")

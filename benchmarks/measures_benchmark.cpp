@@ -23,7 +23,7 @@ using namespace inkbench;
 constexpr int kSidePx = 1024;
 
 LineMap drawn_lines(Pipeline& pipeline, const Settings& settings) {
-  const Picture picture = pipeline.picture(settings, BufferName::combined_edges);
+  const Picture picture = pipeline.at(settings).picture(BufferName::combined_edges);
   LineMap map(picture.width_px, picture.height_px);
   for (int y = 0; y < map.height_px(); ++y) {
     for (int x = 0; x < map.width_px(); ++x) map.set(x, y, picture.at(x, y) > 127);

@@ -30,7 +30,7 @@ Bench& bench() {
 Settings& prepare(const benchmark::State& state) {
   Settings& settings = bench().settings;
   settings.image.width = settings.image.height = static_cast<int>(state.range(0));
-  bench().pipeline.draw(settings, BufferName::final);
+  bench().pipeline.at(settings).draw(BufferName::final);
   glFinish();
   return settings;
 }
@@ -49,7 +49,7 @@ void time_change(benchmark::State& state, Change&& change) {
   int i = 0;
   for ([[maybe_unused]] auto _ : state) {
     change(settings, ++i);
-    bench().pipeline.draw(settings, BufferName::final);
+    bench().pipeline.at(settings).draw(BufferName::final);
     glFinish();
   }
   state.counters["passes"] = static_cast<double>(runs() - before) / static_cast<double>(state.iterations());
@@ -85,7 +85,7 @@ void study_cell(benchmark::State& state) {
   int i = 0;
   for ([[maybe_unused]] auto _ : state) {
     settings.combine.k_normal = 0.0125F + 1e-5F * static_cast<float>(++i % 100);
-    write_png(file, bench().pipeline.picture(settings, BufferName::final),
+    write_png(file, bench().pipeline.at(settings).picture(BufferName::final),
               export_text(settings, BufferName::final));
   }
   settings.combine.k_normal = 0.0125F;

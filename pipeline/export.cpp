@@ -1,6 +1,9 @@
 #include "pipeline/export.h"
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
+#include "pipeline/lines/drawing.h"
+#include "pipeline/passes/lines/reference.h"
 #include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
@@ -35,6 +38,20 @@ ImageOrigin read_origin(const std::filesystem::path& image) {
       parse_buffers({read_image_text(image, kBufferEntry)}, image.string() + " (metadata)").front();
   origin.version = read_image_text(image, kVersionEntry);
   return origin;
+}
+
+void write_buffer(const Frame& frame, BufferName buffer, const fs::path& path) {
+  const std::string format = path.extension().string();
+  if (format == ".svg" && buffer == BufferName::reference) {
+    write_file_atomically(path, reference_svg(*frame.value<ReferencePass>()));
+  } else if (format == ".exr") {
+    write_exr(path, frame.raw(buffer), export_text(frame.settings(), buffer));
+  } else if (format == ".png") {
+    write_png(path, frame.picture(buffer), export_text(frame.settings(), buffer));
+  } else {
+    throw input_error(path.string(), "is no name for an image of " + std::string(name_of(buffer)),
+                      "end it in .png or .exr, or .svg for reference");
+  }
 }
 
 }  // namespace inkbench

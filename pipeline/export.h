@@ -4,9 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/flow/buffer_names.h"
 #include "pipeline/image/image_file.h"
-#include "pipeline/settings/settings.h"
+#include "pipeline/pipeline.h"
 
 namespace inkbench {
 
@@ -25,5 +24,11 @@ bool has_origin(const std::filesystem::path& image);
 
 /// Errors (input): not an image, or one without our metadata.
 ImageOrigin read_origin(const std::filesystem::path& image);
+
+/// Writes the frame's buffer as an image file, by the path's ending: `.png` is its picture, `.exr` its raw
+/// values,
+/// `.svg` the lines of `reference`. Errors (input): another ending, `.svg` of another buffer; as
+/// `Frame::picture`; (work): the file cannot be written.
+void write_buffer(const Frame& frame, BufferName buffer, const std::filesystem::path& path);
 
 }  // namespace inkbench

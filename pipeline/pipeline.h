@@ -1,44 +1,32 @@
-// Settings to buffers, the paper's whole chain. Asking for a buffer computes what it needs and nothing else;
-// what an earlier call computed from the same inputs is used again.
+// Settings to buffers. `pipeline.at(settings)` is a frame: asking it for a buffer computes what that needs
+// and nothing else; what an earlier frame computed from the same inputs is used again.
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "pipeline/flow/buffer_names.h"
-#include "pipeline/flow/pass_observer.h"
+#include "pipeline/buffers.h"
+#include "pipeline/flow/flow.h"
 #include "pipeline/flow/stage.h"
-#include "pipeline/passes/edges/combine.h"
-#include "pipeline/passes/edges/gradient.h"
-#include "pipeline/passes/edges/range.h"
-#include "pipeline/passes/gbuffer/gbuffer.h"
-#include "pipeline/passes/gbuffer/quantise.h"
-#include "pipeline/passes/ink/ink.h"
-#include "pipeline/passes/light/shade.h"
+#include "pipeline/lines/line_finder.h"
+#include "pipeline/passes/gbuffer/draw_item.h"
 #include "pipeline/passes/picture/picture.h"
 #include "pipeline/settings/settings.h"
 
 namespace inkbench {
 
-/// The key of each stage's output for some settings. Stages whose keys are equal need not run again.
-struct PassKeys {
-  Key meshes;  ///< Of the visible models' meshes.
-  Key gbuffer, quantise, gradient, range, combine, shade, blinn_phong, ink;
-  Key picture;  ///< Of the program that makes pictures.
-};
-
-/// The passes by the names that counts and observers use, in the order of the chain.
-constexpr std::array<std::string_view, 9> kPassNames{
-    "gbuffer", "quantise", "gradient", "range", "combine", "shade", "ink", "blinn_phong", "picture"};
+class Pipeline;
 
 /// Values of a buffer to show as black and as white, instead of what the display gains make of them.
 struct ShownRange {
   float black = 0.0F, white = 1.0F;
   bool operator==(const ShownRange&) const = default;
 };
+
+/// What the display gains show as black and as white.
+ShownRange gain_range(const DisplayParams& display, BufferName buffer);
 
 /// A picture on the GPU, rgba8, and the key of all that decided it. Valid until another is asked for with the
 /// same buffer's name.
@@ -47,64 +35,98 @@ struct PictureTexture {
   Key key;
 };
 
-/// GLSL of the uniform blocks and structs, generated from the parameters' descriptions.
-GeneratedSources generated_sources();
+/// One image of some settings, whose keys it has worked out. The pipeline must outlive it. Errors of all that
+/// draws: (input) the settings' meshes, ramps or size; (work) what OpenGL reports, with the buffer.
+class Frame {
+ public:
+  const Settings& settings() const { return state_->settings; }
+
+  /// The buffer's picture, H x W x 3, with the display gains.
+  Picture picture(BufferName buffer) const;
+
+  /// The same picture left on the GPU, kept by its key; `range` shows other values than the gains do, where
+  /// the buffer has one (`has_range`). Not for drawings. If it cannot be made, the buffer's last one is kept.
+  PictureTexture picture_texture(BufferName buffer,
+                                 const std::optional<ShownRange>& range = std::nullopt) const;
+
+  /// The buffer's raw values, the ones that the next pass reads: H x W x `channels` of its description.
+  Image raw(BufferName buffer) const;
+
+  /// The raw values of a rectangle inside the image; (0, 0) is the top left pixel. Not for drawings.
+  Image raw_part(BufferName buffer, int x, int y, int width_px, int height_px) const;
+
+  /// The same of one pixel.
+  Image pixel(BufferName buffer, int x, int y) const;
+
+  /// Computes the buffer without reading it back.
+  void draw(BufferName buffer) const;
+
+  /// A pass's value, which stays as long as it is held: `frame.value<ReferencePass>()`.
+  template <class Tag>
+  std::shared_ptr<const typename Tag::Value> value() const;
+
+  /// What the G-buffer draws: the visible models with their meshes, which stay until other settings are
+  /// drawn.
+  std::vector<DrawItem> draw_items() const;
+
+  /// What the reference lines are found from, for finding them on another thread; its key is theirs.
+  LineRequest line_request() const;
+
+  /// Decides the buffer's raw values.
+  Key key(BufferName buffer) const;
+  /// Decides the pass's value.
+  template <class Tag>
+  Key key_of() const;
+  /// Of every pass, in the order of `Pipeline::pass_names`.
+  const std::vector<Key>& pass_keys() const { return state_->keys; }
+  /// Decides every buffer's picture.
+  Key key() const;
+  /// What drawing this frame costs after the other one, by the passes whose keys differ; only the order
+  /// matters.
+  int cost_after(const Frame& other) const;
+
+ private:
+  friend class Pipeline;
+  Frame(Pipeline& pipeline, std::shared_ptr<const FrameState> state)
+      : pipeline_(&pipeline), state_(std::move(state)) {}
+  Shown show(BufferName buffer) const;
+
+  Pipeline* pipeline_;
+  std::shared_ptr<const FrameState> state_;
+};
 
 /// Needs a current OpenGL 4.5 context for its whole life.
 class Pipeline {
  public:
   /// Errors (input): a shader does not compile.
   Pipeline();
+  /// Another one's lines are found by the same finder, which keeps what both need once.
+  explicit Pipeline(std::shared_ptr<LineFinder> finder);
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
 
-  /// The buffer's picture, H x W x 3, with the display gains. Errors (input): the settings' meshes, ramps or
-  /// size; (work): what OpenGL reports, with the pass.
-  Picture picture(const Settings& settings, BufferName buffer);
+  /// The frame of the settings. Errors (input): a file that decides it cannot be read.
+  Frame at(const Settings& settings);
+  /// The same with a past: passes that look back see the previous frame's values. A frame holds those before
+  /// it for as long as it lives.
+  Frame at(const Settings& settings, const Frame& previous);
 
-  /// The same picture left on the GPU, kept by its key; `range` shows other values than the gains do (not for
-  /// object_id). If it cannot be made, the buffer's last one is kept. Errors as `picture`.
-  PictureTexture picture_texture(const Settings& settings, BufferName buffer,
-                                 const std::optional<ShownRange>& range = std::nullopt);
-
-  /// The buffer's raw values, the ones that the next pass reads: H x W x 3 for normal, shaded, final and
-  /// blinn_phong, else H x W x 1. Errors as `picture`.
-  Image raw(const Settings& settings, BufferName buffer);
-
-  /// The raw values of a rectangle inside the image; (0, 0) is the top left pixel. Errors as `picture`.
-  Image raw_part(const Settings& settings, BufferName buffer, int x, int y, int width_px, int height_px);
-
-  /// The same of one pixel.
-  Image pixel(const Settings& settings, BufferName buffer, int x, int y);
-
-  /// What the display gains show as black and as white.
-  static ShownRange gain_range(const Settings& settings, BufferName buffer);
-
-  /// Computes the buffer without reading it back.
-  void draw(const Settings& settings, BufferName buffer);
-
-  /// Drops every stage's value and its memory, so that the next call runs each pass it needs; meshes and
+  /// Drops every pass's value and its memory, so that the next frame runs each pass it needs; meshes and
   /// programs stay.
   void forget_results();
 
-  PassKeys keys(const Settings& settings);
-
-  /// The key of the buffer's raw values. Errors (input): a mesh file cannot be read.
-  Key buffer_key(const Settings& settings, BufferName buffer);
-
   /// The meshes that the G-buffer draws, by model and level.
-  MeshStore& meshes() { return meshes_; }
+  MeshStore& meshes() { return flow_.shared<MeshStore>(); }
+  /// What finds the reference lines.
+  std::shared_ptr<LineFinder> line_finder() { return flow_.sharing<LineFinder>(); }
 
-  /// What the G-buffer draws: the visible models with their meshes, which stay until other settings are
-  /// drawn. Errors (input): a mesh cannot be read.
-  std::vector<DrawItem> draw_items(const Settings& settings);
-
-  /// How often each pass ran and was reused, by the pass's name; "picture" counts those of
-  /// `picture_texture`.
+  /// The passes by name, in the order of the chain; last "picture", which makes pictures of buffers.
+  std::vector<std::string> pass_names() const;
+  /// How often each ran and was reused; "picture" counts those of `picture_texture`.
   std::map<std::string, StageCount> counts() const;
 
   /// Tells `observer` (or nobody, for nullptr) of every pass that runs from now on.
-  void observe(PassObserver* observer) { observer_ = observer; }
+  void observe(PassObserver* observer) { flow_.observe(observer); }
 
   /// Compiles changed shaders again. Errors (input): the first that fails, which keeps its last good program.
   /// Returns whether any program is another one now.
@@ -114,53 +136,27 @@ class Pipeline {
   std::string shader_problem();
 
  private:
-  std::array<Program*, 8> programs();
+  friend class Frame;
+  Frame make_frame(const Settings& settings, std::shared_ptr<const FrameState> previous);
+  std::vector<Program*> programs();
+  PicturePass& picture_pass() { return flow_.shared<PicturePass>(); }
 
-  struct View {
-    const Texture* texture;
-    int first_channel, channels;
-    PictureView picture;
-  };
-
-  /// The stage's value for the key; `make` is the pass, told to the observer when it runs.
-  template <class Value, class Make>
-  const Value& stage(Stage<Value>& stage, std::string_view name, const Key& key, const Make& make) {
-    return stage.get(key, [&] {
-      const PassScope scope(observer_, name);
-      return make();
-    });
-  }
-
-  const GBuffer& gbuffer(const Settings& settings, const PassKeys& keys);
-  /// The normal map, with the depth map in alpha, that the edge passes read.
-  const Texture& maps(const Settings& settings, const PassKeys& keys);
-  const Texture& gradient(const Settings& settings, const PassKeys& keys);
-  const Texture& range(const Settings& settings, const PassKeys& keys);
-  const Texture& combined(const Settings& settings, const PassKeys& keys);
-  const Texture& shaded(const Settings& settings, const PassKeys& keys);
-  const Texture& blinn_phong(const Settings& settings, const PassKeys& keys);
-  const Texture& final(const Settings& settings, const PassKeys& keys);
-  View view(const Settings& settings, const PassKeys& keys, BufferName buffer);
-
-  /// First, so that it is destroyed last, after the stages have given their textures back.
+  /// First, so that it is destroyed last, after the nodes have given their textures back.
   struct PoolGuard {
     ~PoolGuard() { clear_texture_pool(); }
   } pool_guard_;
-  GeneratedSources generated_ = generated_sources();
-  MeshStore meshes_;
-  GBufferPass gbuffer_pass_{generated_};
-  QuantisePass quantise_pass_{generated_};
-  GradientPass gradient_pass_{generated_};
-  RangePass range_pass_{generated_};
-  CombinePass combine_pass_{generated_};
-  ShadePass shade_pass_{generated_};
-  InkPass ink_pass_{generated_};
-  PicturePass picture_pass_{generated_};
-
-  Stage<GBuffer> gbuffer_;
-  Stage<Texture> quantised_, gradient_, range_, combined_, shaded_, blinn_phong_, final_;
-  std::array<Stage<Texture>, kFramebufferCount> pictures_;
-  PassObserver* observer_ = nullptr;
+  Flow flow_;
+  PerBuffer<Stage<Texture>> pictures_;
 };
+
+template <class Tag>
+std::shared_ptr<const typename Tag::Value> Frame::value() const {
+  return pipeline_->flow_.template node<Tag>().get(*state_);
+}
+
+template <class Tag>
+Key Frame::key_of() const {
+  return state_->keys[pipeline_->flow_.template node<Tag>().index()];
+}
 
 }  // namespace inkbench

@@ -9,33 +9,32 @@ void FullMeshDesk::forget() {
   behind_ = false;
 }
 
-bool FullMeshDesk::refresh_lines(MeshStore& meshes, const Settings& full, bool hurry) {
+bool FullMeshDesk::refresh_lines(MeshStore& meshes, const Frame& full, bool hurry) {
   ReferenceDesk& reference = own_->reference;
-  const bool is_other =
-      reference.now() == nullptr || reference.now()->key != own_->source.reference_key(full);
+  const bool is_other = reference.now() == nullptr || reference.now()->key != full.key(BufferName::reference);
   if (is_other && hurry) return false;
   // Only what is drawn next: meshes that nobody draws would pile up while a model's shape is dragged.
-  for (const ModelParams& model : full.models) {
+  for (const ModelParams& model : full.settings().models) {
     if (is_other && model.visible) own_->pipeline.meshes().share_full(meshes, model);
   }
   reference.refresh(full);
   return !reference.is_behind();
 }
 
-FullView FullMeshDesk::refresh(BufferSource& source, const Settings& settings, bool hurry) {
-  if (settings.mesh == MeshParams{}) {
+FullView FullMeshDesk::refresh(Pipeline& pipeline, const Frame& frame, bool hurry) {
+  if (frame.settings().mesh == MeshParams{}) {
     forget();
     return {};
   }
-  if (!own_) own_ = std::make_unique<Own>(source.finder());
-  Settings full = settings;
-  full.mesh = {};
-  behind_ = !refresh_lines(source.pipeline().meshes(), full, hurry);
+  if (!own_) own_ = std::make_unique<Own>(pipeline.line_finder());
+  Settings settings = frame.settings();
+  settings.mesh = {};
+  const Frame full = own_->pipeline.at(settings);
+  behind_ = !refresh_lines(pipeline.meshes(), full, hurry);
   if (behind_) return {};
-  const Key key = own_->pipeline.buffer_key(full, BufferName::combined_edges);
-  const auto& edges = edges_.get(key, [&] {
-    return std::make_shared<const Image>(own_->pipeline.raw(full, BufferName::combined_edges));
-  });
+  const Key key = full.key(BufferName::combined_edges);
+  const auto& edges =
+      edges_.get(key, [&] { return std::make_shared<const Image>(full.raw(BufferName::combined_edges)); });
   return {{edges, own_->reference.now()->lines}, KeyBuilder().add(key).add(own_->reference.now()->key).key()};
 }
 

@@ -8,7 +8,6 @@
 #include "app/window/reference_desk.h"
 #include "app/workbench/live_judge.h"
 #include "pipeline/pipeline.h"
-#include "studies/judging/buffer_source.h"
 
 namespace inkbench {
 
@@ -20,10 +19,10 @@ struct FullView {
 
 class FullMeshDesk {
  public:
-  /// The view of `source`'s scene with the full mesh; none where the settings draw the full mesh, and none of
-  /// another camera or scene while something is dragged (`hurry`). Errors (input, work): as
+  /// The view of the frame's scene with the full mesh; none where the settings draw the full mesh, and none
+  /// of another camera or scene while something is dragged (`hurry`). Errors (input, work): as
   /// `Pictures::refresh`.
-  FullView refresh(BufferSource& source, const Settings& settings, bool hurry);
+  FullView refresh(Pipeline& pipeline, const Frame& frame, bool hurry);
   /// Frees what nobody looks at; to be called again while lines are being found.
   void forget();
 
@@ -34,12 +33,11 @@ class FullMeshDesk {
 
  private:
   struct Own {
-    explicit Own(const std::shared_ptr<LineFinder>& finder) : source(pipeline, finder) {}
+    explicit Own(const std::shared_ptr<LineFinder>& finder) : pipeline(finder) {}
     Pipeline pipeline;
-    BufferSource source;
-    ReferenceDesk reference{source};
+    ReferenceDesk reference{pipeline};
   };
-  bool refresh_lines(MeshStore& meshes, const Settings& full, bool hurry);
+  bool refresh_lines(MeshStore& meshes, const Frame& full, bool hurry);
 
   std::unique_ptr<Own> own_;
   Stage<std::shared_ptr<const Image>> edges_;

@@ -10,9 +10,8 @@ namespace {
 
 constexpr float kReferenceVeil = 0.55F, kMatchesVeil = 0.8F;
 
-JudgedView view_of(Pipeline& pipeline, const Settings& settings,
-                   std::shared_ptr<const ReferenceLines> lines) {
-  return {std::make_shared<Image>(pipeline.raw(settings, BufferName::combined_edges)), std::move(lines)};
+JudgedView view_of(const Frame& frame, std::shared_ptr<const ReferenceLines> lines) {
+  return {std::make_shared<Image>(frame.raw(BufferName::combined_edges)), std::move(lines)};
 }
 
 }  // namespace
@@ -27,9 +26,8 @@ JudgeDesk::JudgeDesk()
         wake_window();
       }) {}
 
-void JudgeDesk::refresh_measures(Pipeline& pipeline, const Settings& settings, const FoundLines& lines,
-                                 const FullView& full) {
-  const Key edges = pipeline.buffer_key(settings, BufferName::combined_edges);
+void JudgeDesk::refresh_measures(const Frame& frame, const FoundLines& lines, const FullView& full) {
+  const Key edges = frame.key(BufferName::combined_edges);
   const Key key = KeyBuilder().add(edges).add(lines.key).add(full.key).key();
   if (key == asked_) {
     behind_ = !now_ || now_->id != last_id_;
@@ -37,7 +35,7 @@ void JudgeDesk::refresh_measures(Pipeline& pipeline, const Settings& settings, c
   }
   behind_ = true;
   if (judge_.is_busy()) return;  // the newest settings are asked for when it is done
-  judge_.submit({.id = ++last_id_, .view = view_of(pipeline, settings, lines.lines), .full = full.view});
+  judge_.submit({.id = ++last_id_, .view = view_of(frame, lines.lines), .full = full.view});
   asked_ = key;
 }
 
@@ -54,18 +52,18 @@ void JudgeDesk::take_results() {
   if (std::optional<Judgement> result = pinned_judge_.poll()) pinned_ = std::move(result);
 }
 
-void JudgeDesk::refresh(Pictures& pictures, const Settings& settings, Wanted wanted, bool hurry) {
+void JudgeDesk::refresh(Pictures& pictures, const Frame& frame, Wanted wanted, bool hurry) {
   take_results();
   if (!wanted.measures) full_mesh_.forget();
   if (!wanted.lines && !wanted.measures) return;
   ReferenceDesk& reference = pictures.reference();
-  reference.refresh(settings);
+  reference.refresh(frame);
   if (!wanted.measures) return;
-  const FullView full = full_mesh_.refresh(pictures.source(), settings, hurry);
+  const FullView full = full_mesh_.refresh(pictures.pipeline(), frame, hurry);
   if (reference.is_behind()) {
     behind_ = true;
   } else {
-    refresh_measures(pictures.pipeline(), settings, *reference.now(), full);
+    refresh_measures(frame, *reference.now(), full);
     behind_ |= full_mesh_.is_behind();
   }
   refresh_pinned(pictures.pinned_view());

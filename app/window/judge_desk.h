@@ -1,6 +1,6 @@
-// The measures of the drawn lines beside the window. In: pictures and settings, once a frame. Out: the newest
-// measures, the pinned state's, and overlays that show lines on pictures. The thread that measures gets plain
-// copies; the window never waits for it.
+// The measures of the drawn lines beside the window. In: pictures and their frame, once a frame. Out: the
+// newest measures, the pinned state's, and overlays that show lines on pictures. The thread that measures
+// gets plain copies; the window never waits for it.
 #pragma once
 
 #include <atomic>
@@ -26,7 +26,7 @@ class JudgeDesk {
 
   /// Takes in what was measured and asks for what is not up to date. `hurry`: something is being dragged, so
   /// that the full mesh's lines wait. Errors (input, work): as `Pictures::refresh`.
-  void refresh(Pictures& pictures, const Settings& settings, Wanted wanted, bool hurry);
+  void refresh(Pictures& pictures, const Frame& frame, Wanted wanted, bool hurry);
 
   /// The newest measures, perhaps of settings a moment ago; null before the first ones.
   const Judgement* now() const { return now_ ? &*now_ : nullptr; }
@@ -41,8 +41,7 @@ class JudgeDesk {
   TileOverlay overlay(Overlay kind, ReferenceDesk& reference);
 
  private:
-  void refresh_measures(Pipeline& pipeline, const Settings& settings, const FoundLines& lines,
-                        const FullView& full);
+  void refresh_measures(const Frame& frame, const FoundLines& lines, const FullView& full);
   void refresh_pinned(const JudgedView& view);
   void take_results();
 

@@ -18,10 +18,6 @@ bool is_large(const Settings& settings) {
   return int64_t{settings.image.width} * settings.image.height > kLargePixels;
 }
 
-size_t place_of(BufferName buffer) {
-  return static_cast<size_t>(buffer);
-}
-
 Texture copy_of(const Texture& from) {
   Texture copy("pinned picture", from.format(), from.width_px(), from.height_px());
   glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, copy.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
@@ -44,90 +40,83 @@ void toggle_fit(PictureChoice& choice) {
 }
 
 const ShownPicture& Pictures::shown(BufferName buffer, bool pinned) const {
-  return pinned ? pinned_[place_of(buffer)] : now_[place_of(buffer)];
+  return pinned ? pinned_[buffer] : now_[buffer];
 }
 
 bool Pictures::has_late() const {
-  for (size_t i = 0; i < kBufferCount; ++i) {
-    // The lines tell when they are there.
-    if (now_[i].is_late && i != place_of(BufferName::reference)) return true;
-  }
-  return false;
+  // The lines tell when they are there.
+  return std::any_of(now_.begin(), now_.end(), [](const auto& entry) {
+    return entry.second.is_late && entry.first != BufferName::reference;
+  });
 }
 
-ShownRange Pictures::fitted_range(const Settings& settings, BufferName buffer) {
-  return ranges_[place_of(buffer)].get(pipeline_.buffer_key(settings, buffer),
-                                       [&] { return range_of(pipeline_.raw(settings, buffer)); });
+ShownRange Pictures::fitted_range(const Frame& frame, BufferName buffer) {
+  return ranges_[buffer].get(frame.key(buffer), [&] { return range_of(frame.raw(buffer)); });
 }
 
-void Pictures::refresh_reference(const Settings& settings) {
-  reference_.refresh(settings);
-  ShownPicture& shown = now_[place_of(BufferName::reference)];
+void Pictures::refresh_reference(const Frame& frame) {
+  reference_.refresh(frame);
+  ShownPicture& shown = now_[BufferName::reference];
   if (reference_.now() != nullptr)
     shown = {&reference_.picture(), reference_.now()->key, std::nullopt, false};
   shown.is_late = reference_.is_behind();
 }
 
-void Pictures::refresh_one(const Settings& settings, BufferName buffer) {
-  if (buffer == BufferName::reference) return refresh_reference(settings);
-  const PictureChoice& choice = choices_[place_of(buffer)];
+void Pictures::refresh_one(const Frame& frame, BufferName buffer) {
+  if (buffer == BufferName::reference) return refresh_reference(frame);
+  const PictureChoice& choice = choices_[buffer];
   std::optional<ShownRange> range;
-  if (choice.kind == PictureChoice::Kind::fitted) range = fitted_range(settings, buffer);
+  if (choice.kind == PictureChoice::Kind::fitted) range = fitted_range(frame, buffer);
   if (choice.kind == PictureChoice::Kind::fixed) range = choice.fixed;
-  const PictureTexture picture = pipeline_.picture_texture(settings, buffer, range);
-  now_[place_of(buffer)] = {picture.texture, picture.key, range, false};
+  const PictureTexture picture = frame.picture_texture(buffer, range);
+  now_[buffer] = {picture.texture, picture.key, range, false};
 }
 
 /// OpenGL may put work off until something waits for it, so that only finished pictures tell their time.
-void Pictures::refresh_large(const Settings& settings, std::span<const BufferName> buffers) {
+void Pictures::refresh_large(const Frame& frame, std::span<const BufferName> buffers) {
   const auto start = std::chrono::steady_clock::now();
   bool is_over = false;
   for (const BufferName buffer : buffers) {
-    ShownPicture& shown = now_[place_of(buffer)];
+    ShownPicture& shown = now_[buffer];
     if (is_over) {
       shown.is_late = true;
       continue;
     }
     const Key before = shown.key;
-    refresh_one(settings, buffer);
+    refresh_one(frame, buffer);
     if (shown.key == before) continue;
     glFinish();
     is_over = std::chrono::steady_clock::now() - start > kMoment;
   }
 }
 
-void Pictures::refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted,
-                       BufferName first) {
-  std::vector<BufferName> buffers;
-  for (size_t i = 0; i < kBufferCount; ++i) {
-    now_[i].is_late = false;  // also of those that are no longer looked at: nothing waits for them
-    if (wanted[i]) buffers.push_back(static_cast<BufferName>(i));
+void Pictures::refresh(const Frame& frame, std::vector<BufferName> wanted, BufferName first) {
+  for (auto& [buffer, shown] : now_) shown.is_late = false;  // also of those that are no longer looked at
+  if (is_large(frame.settings())) {
+    std::stable_partition(wanted.begin(), wanted.end(), [&](BufferName buffer) { return buffer == first; });
+    return refresh_large(frame, wanted);
   }
-  if (is_large(settings)) {
-    std::stable_partition(buffers.begin(), buffers.end(), [&](BufferName buffer) { return buffer == first; });
-    return refresh_large(settings, buffers);
-  }
-  for (const BufferName buffer : buffers) refresh_one(settings, buffer);
+  for (const BufferName buffer : wanted) refresh_one(frame, buffer);
 }
 
-void Pictures::pin(const Settings& settings) {
-  reference_.finish(settings);
-  for (size_t i = 0; i < kBufferCount; ++i) {
-    refresh_one(settings, static_cast<BufferName>(i));
-    pinned_textures_[i] = copy_of(*now_[i].texture);
-    pinned_[i] = now_[i];
-    pinned_[i].texture = &pinned_textures_[i];
-    pinned_[i].key = KeyBuilder().add("pinned").add(now_[i].key).key();
+void Pictures::pin(const Frame& frame) {
+  reference_.finish(frame);
+  for (const BufferName buffer : all_buffers()) {
+    refresh_one(frame, buffer);
+    const ShownPicture& now = now_[buffer];
+    pinned_textures_[buffer] = copy_of(*now.texture);
+    pinned_[buffer] = now;
+    pinned_[buffer].texture = &pinned_textures_[buffer];
+    pinned_[buffer].key = KeyBuilder().add("pinned").add(now.key).key();
   }
-  pinned_view_ = {std::make_shared<Image>(pipeline_.raw(settings, BufferName::combined_edges)),
-                  reference_.now()->lines};
-  pinned_settings_ = settings;
+  pinned_view_ = {std::make_shared<Image>(frame.raw(BufferName::combined_edges)), reference_.now()->lines};
+  pinned_settings_ = frame.settings();
   throw_gl_errors("pinning the pictures");
 }
 
 void Pictures::unpin() {
   pinned_ = {};
-  for (Texture& texture : pinned_textures_) texture = Texture();
+  pinned_textures_.clear();
   pinned_view_ = {};
   pinned_settings_.reset();
 }

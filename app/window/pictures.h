@@ -2,19 +2,16 @@
 // that was pinned. They are the pipeline's own pictures, left on the GPU; what is unchanged is a lookup.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/window/reference_desk.h"
 #include "app/workbench/live_judge.h"
 #include "pipeline/pipeline.h"
-#include "studies/judging/buffer_source.h"
 
 namespace inkbench {
-
-constexpr size_t kBufferCount = kBufferNames.size();
 
 /// A picture to show; `texture` is nullptr while there is none.
 struct ShownPicture {
@@ -31,11 +28,6 @@ struct PictureChoice {
   ShownRange fixed;
 };
 
-/// Whether it can be chosen which values are black and white.
-constexpr bool has_range(BufferName buffer) {
-  return buffer != BufferName::object_id && buffer != BufferName::reference;
-}
-
 /// From any range to the fitted one, and from that to the display gains.
 void toggle_fit(PictureChoice& choice);
 
@@ -43,19 +35,19 @@ void toggle_fit(PictureChoice& choice);
 /// compile.
 class Pictures {
  public:
-  /// Draws what `wanted` names and is not up to date; reference lines are found beside the window. Of large
+  /// Draws the `wanted` ones that are not up to date; reference lines are found beside the window. Of large
   /// images only as much as a moment allows, at least one picture and `first` before the others; the rest is
   /// late. Errors (input, work): what cannot be drawn; that picture and those after it stay as they were.
-  void refresh(const Settings& settings, const std::array<bool, kBufferCount>& wanted, BufferName first);
+  void refresh(const Frame& frame, std::vector<BufferName> wanted, BufferName first);
 
   const ShownPicture& shown(BufferName buffer, bool pinned) const;
   /// Whether a picture waits for another refresh.
   bool has_late() const;
 
-  PictureChoice& choice(BufferName buffer) { return choices_[static_cast<size_t>(buffer)]; }
+  PictureChoice& choice(BufferName buffer) { return choices_[buffer]; }
 
   /// Keeps the pictures as they are now, to compare with. Errors as `refresh`.
-  void pin(const Settings& settings);
+  void pin(const Frame& frame);
   void unpin();
   const std::optional<Settings>& pinned_settings() const { return pinned_settings_; }
   /// The pinned state's edges and reference lines; empty where nothing is pinned.
@@ -63,25 +55,23 @@ class Pictures {
 
   Pipeline& pipeline() { return pipeline_; }
   const Pipeline& pipeline() const { return pipeline_; }
-  BufferSource& source() { return source_; }
   ReferenceDesk& reference() { return reference_; }
   const ReferenceDesk& reference() const { return reference_; }
 
  private:
-  void refresh_large(const Settings& settings, std::span<const BufferName> buffers);
-  void refresh_one(const Settings& settings, BufferName buffer);
-  void refresh_reference(const Settings& settings);
-  ShownRange fitted_range(const Settings& settings, BufferName buffer);
+  void refresh_large(const Frame& frame, std::span<const BufferName> buffers);
+  void refresh_one(const Frame& frame, BufferName buffer);
+  void refresh_reference(const Frame& frame);
+  ShownRange fitted_range(const Frame& frame, BufferName buffer);
 
   Pipeline pipeline_;
-  BufferSource source_{pipeline_};
-  std::array<PictureChoice, kBufferCount> choices_;
-  std::array<ShownPicture, kBufferCount> now_, pinned_;
-  std::array<Stage<ShownRange>, kBufferCount> ranges_;
-  std::array<Texture, kBufferCount> pinned_textures_;
+  PerBuffer<PictureChoice> choices_;
+  PerBuffer<ShownPicture> now_, pinned_;
+  PerBuffer<Stage<ShownRange>> ranges_;
+  PerBuffer<Texture> pinned_textures_;
   std::optional<Settings> pinned_settings_;
   JudgedView pinned_view_;
-  ReferenceDesk reference_{source_};
+  ReferenceDesk reference_{pipeline_};
 };
 
 }  // namespace inkbench

@@ -30,10 +30,11 @@ Neighbourhood neighbours(const Image& image, int x, int y) {
   return result;
 }
 
-ProbedPixel read_pixel(Pipeline& pipeline, const Settings& settings, int x, int y) {
+ProbedPixel read_pixel(const Frame& frame, int x, int y) {
+  const Settings& settings = frame.settings();
   const Part part = around(settings.image, x, y);
   const auto read = [&](BufferName buffer) {
-    return pipeline.raw_part(settings, buffer, part.x, part.y, part.width, part.height);
+    return frame.raw_part(buffer, part.x, part.y, part.width, part.height);
   };
   const Image depth_edges = read(BufferName::depth_edges);
   const Image normal_edges = read(BufferName::normal_edges);
@@ -49,16 +50,16 @@ ProbedPixel read_pixel(Pipeline& pipeline, const Settings& settings, int x, int 
   probed.why.y = y;
   probed.depth_edges = neighbours(depth_edges, in_x, in_y);
   probed.normal_edges = neighbours(normal_edges, in_x, in_y);
-  probed.drawn = pipeline.pixel(settings, BufferName::combined_edges, x, y).at(0, 0);
+  probed.drawn = frame.pixel(BufferName::combined_edges, x, y).at(0, 0);
   return probed;
 }
 
 }  // namespace
 
-const ProbedPixel& PixelProbe::probe(Pipeline& pipeline, const Settings& settings, int x, int y) {
-  const Key key = pipeline.buffer_key(settings, BufferName::combined_edges);
+const ProbedPixel& PixelProbe::probe(const Frame& frame, int x, int y) {
+  const Key key = frame.key(BufferName::combined_edges);
   if (key == key_ && x == x_ && y == y_) return probed_;
-  probed_ = read_pixel(pipeline, settings, x, y);
+  probed_ = read_pixel(frame, x, y);
   key_ = key;
   x_ = x;
   y_ = y;

@@ -22,8 +22,8 @@ struct ProbedPixel {
 class PixelProbe {
  public:
   /// The pixel must be inside the image. Reads a few pixels of the buffers, and nothing where neither the
-  /// buffers nor the pixel changed. Errors: as `Pipeline::raw_part`.
-  const ProbedPixel& probe(Pipeline& pipeline, const Settings& settings, int x, int y);
+  /// buffers nor the pixel changed. Errors: as `Frame::raw_part`.
+  const ProbedPixel& probe(const Frame& frame, int x, int y);
   /// The last one.
   const ProbedPixel& last() const { return probed_; }
 

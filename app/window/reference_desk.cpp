@@ -5,17 +5,18 @@
 #include "app/window/picture_upload.h"
 #include "app/window/window.h"
 #include "pipeline/base/error.h"
+#include "pipeline/passes/lines/reference.h"
 
 namespace inkbench {
 
-ReferenceDesk::ReferenceDesk(BufferSource& source)
-    : source_(source), finder_(source.finder(), [this] {
+ReferenceDesk::ReferenceDesk(Pipeline& pipeline)
+    : finder_(pipeline.line_finder(), [this] {
         news_ = true;
         wake_window();
       }) {}
 
-void ReferenceDesk::refresh(const Settings& settings) {
-  const Key key = source_.reference_key(settings);
+void ReferenceDesk::refresh(const Frame& frame) {
+  const Key key = frame.key(BufferName::reference);
   if (std::optional<FoundLines> found = finder_.poll()) {
     if (found->error.empty()) {
       now_ = std::move(found);
@@ -28,13 +29,13 @@ void ReferenceDesk::refresh(const Settings& settings) {
   // The newest settings are asked for when it is done: making a request reads pictures back.
   if (!behind_ || key == asked_ || finder_.is_busy()) return;
   asked_ = key;
-  finder_.submit(source_.line_request(settings));
+  finder_.submit(frame.line_request());
 }
 
-void ReferenceDesk::finish(const Settings& settings) {
-  const Key key = source_.reference_key(settings);
+void ReferenceDesk::finish(const Frame& frame) {
+  const Key key = frame.key(BufferName::reference);
   if (now_ && now_->key == key) return;
-  now_ = with_pictures(key, std::make_shared<ReferenceLines>(source_.reference(settings)));
+  now_ = with_pictures(key, frame.value<ReferencePass>());
 }
 
 const Texture& ReferenceDesk::picture() {

@@ -8,20 +8,20 @@
 
 #include "app/workbench/live_reference.h"
 #include "pipeline/gl/texture.h"
-#include "studies/judging/buffer_source.h"
+#include "pipeline/pipeline.h"
 
 namespace inkbench {
 
 class ReferenceDesk {
  public:
-  /// `source` must outlive it.
-  explicit ReferenceDesk(BufferSource& source);
+  /// `pipeline` must outlive it.
+  explicit ReferenceDesk(Pipeline& pipeline);
 
   /// Takes in what was found and asks for the lines of the settings if they are others. Errors (input, work):
-  /// as `BufferSource::line_request`; the lines of these settings could not be found.
-  void refresh(const Settings& settings);
+  /// as `Frame::line_request`; the lines of these settings could not be found.
+  void refresh(const Frame& frame);
   /// The same, and waits for them.
-  void finish(const Settings& settings);
+  void finish(const Frame& frame);
 
   /// The newest lines; null before the first ones.
   const FoundLines* now() const { return now_ ? &*now_ : nullptr; }
@@ -37,7 +37,6 @@ class ReferenceDesk {
   const Texture& overlay();
 
  private:
-  BufferSource& source_;
   std::optional<FoundLines> now_;
   Key asked_;
   bool behind_ = false;

@@ -7,6 +7,6 @@ namespace inkbench {
 
 /// In world space, of the visible models or of the main one alone; the origin where there is none. Errors
 /// (input): a mesh cannot be read.
-Bounds bounds_in_world(Pipeline& pipeline, const Settings& settings, bool only_main_model);
+Bounds bounds_in_world(const Frame& frame, bool only_main_model);
 
 }  // namespace inkbench

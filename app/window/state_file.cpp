@@ -84,8 +84,7 @@ Json passes_of(const Workbench& bench) {
 /// The keys of the pictures; nothing for the pinned ones where no state is pinned.
 Json pictures_of(const Workbench& bench, bool pinned) {
   Json json = Json::object();
-  for (size_t i = 0; i < kBufferCount; ++i) {
-    const auto buffer = static_cast<BufferName>(i);
+  for (const BufferName buffer : all_buffers()) {
     const ShownPicture& shown = bench.pictures.shown(buffer, pinned);
     if (!pinned || shown.texture != nullptr) json[std::string(name_of(buffer))] = shown.key.text();
   }

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "pipeline/flow/buffer_names.h"
+#include "pipeline/buffers.h"
 
 namespace inkbench {
 

@@ -9,6 +9,7 @@
 
 #include "pipeline/gl/context.h"
 #include "pipeline/gl/framebuffer.h"
+#include "pipeline/passes/gbuffer/gbuffer.h"
 
 namespace inkbench {
 namespace {
@@ -57,8 +58,9 @@ float opacity(const GpuMesh& mesh, const WireView& view, const ImageParams& imag
 
 WirePainter::WirePainter() : program_("wire.vert", "wire.frag", {.uniform_blocks = {"wire_block"}}, {}) {}
 
-Texture WirePainter::run(Pipeline& pipeline, const Settings& settings, const WireView& view) const {
-  const std::vector<DrawItem> items = pipeline.draw_items(settings);
+Texture WirePainter::run(const Frame& frame, const WireView& view) const {
+  const Settings& settings = frame.settings();
+  const std::vector<DrawItem> items = frame.draw_items();
   Texture tile("wireframe", TextureFormat::rgba8, view.width_px, view.height_px);
   const Texture depth("hidden edges", TextureFormat::depth32f, view.width_px, view.height_px);
   const RenderTarget target({&tile}, &depth);
@@ -95,16 +97,16 @@ Texture WirePainter::run(Pipeline& pipeline, const Settings& settings, const Wir
   return tile;
 }
 
-const Texture& WirePainter::paint(Pipeline& pipeline, const Settings& settings, const WireView& view) {
+const Texture& WirePainter::paint(const Frame& frame, const WireView& view) {
   const Key key = KeyBuilder()
                       .add("wireframe")
                       .add(program_.key())
-                      .add(pipeline.keys(settings).gbuffer)
+                      .add(frame.key_of<GBufferPass>())
                       .add(fmt::format("{} {} {} {} {}", view.place.left, view.place.top, view.place.step,
                                        view.width_px, view.height_px))
                       .add(fmt::format("{} {} {}", view.colour.x, view.colour.y, view.colour.z))
                       .key();
-  return tile_.get(key, [&] { return run(pipeline, settings, view); });
+  return tile_.get(key, [&] { return run(frame, view); });
 }
 
 }  // namespace inkbench

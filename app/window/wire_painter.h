@@ -21,14 +21,14 @@ class WirePainter {
   WirePainter();
 
   /// Edges that are not hidden by the meshes themselves, one pixel wide at any zoom. Kept until something
-  /// changes. Errors: as `Pipeline::draw_items`.
-  const Texture& paint(Pipeline& pipeline, const Settings& settings, const WireView& view);
+  /// changes. Errors: as `Frame::draw_items`.
+  const Texture& paint(const Frame& frame, const WireView& view);
 
   bool reload_if_changed() { return program_.reload_if_changed({}); }
   const std::string& shader_problem() const { return program_.problem(); }
 
  private:
-  Texture run(Pipeline& pipeline, const Settings& settings, const WireView& view) const;
+  Texture run(const Frame& frame, const WireView& view) const;
 
   Program program_;
   Stage<Texture> tile_;

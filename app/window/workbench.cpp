@@ -98,9 +98,19 @@ Key Workbench::state_to_draw(const Settings& settings) const {
   return KeyBuilder().add(settings_text(settings)).add(std::to_string(files_revision_)).key();
 }
 
+/// Works anything out only where something changed, or waits for the levels of a mesh.
+const Settings& Workbench::update_target() {
+  const bool is_level = target_.settings.mesh == settings().mesh;
+  if (target_.revision == revision_ && target_.files_revision == files_revision_ && is_level)
+    return target_.settings;
+  target_ = {ladders.drawable(pictures.pipeline().meshes(), settings()), revision_, files_revision_, {}, {}};
+  target_.state = state_to_draw(target_.settings);
+  return target_.settings;
+}
+
 void Workbench::refresh() {
-  const Settings target = ladders.drawable(pictures.pipeline().meshes(), settings());
-  const Key state = state_to_draw(target);
+  const Settings& target = update_target();
+  const Key state = target_.state;
   if (drawn_state_ != state) ++drawn_changes_;
   drawn_state_ = state;
   timer.begin_frame(drawn_changes_);
@@ -108,12 +118,14 @@ void Workbench::refresh() {
   if (failed_ == state) return;
   try {
     const bool hurry = is_editing() || frame_times.frames == 0;
-    pictures.refresh(target, wanted_buffers(), view.filled.value_or(view.selected));
+    if (!target_.frame) target_.frame = pictures.pipeline().at(target);
+    const Frame& frame = *target_.frame;
+    pictures.refresh(frame, wanted_buffers(), view.filled.value_or(view.selected));
     const bool judges = layout.show_inspector && layout.side_page == SidePage::judge;
-    judge.refresh(pictures, target,
+    judge.refresh(pictures, frame,
                   {judges || layout.overlay == Overlay::matches, layout.overlay == Overlay::reference},
                   hurry);
-    drawn_ = target;
+    drawn_ = frame;
     if (target.mesh == settings().mesh) last_good_ = settings();
     failed_.reset();
     dismiss(ProblemKind::drawing);
@@ -136,8 +148,7 @@ bool Workbench::take_news() {
 /// What the files that the settings name hold, or why they cannot be read.
 std::string Workbench::files_state() {
   try {
-    const PassKeys keys = pictures.pipeline().keys(settings());
-    return keys.meshes.text() + keys.ink.text();
+    return pictures.pipeline().at(settings()).key().text();
   } catch (const Error& error) {
     return error.what();
   }
@@ -193,19 +204,18 @@ void Workbench::set_listed(BufferName buffer, bool listed) {
   layout.hidden_buffers = with_word(layout.hidden_buffers, name_of(buffer), !listed);
 }
 
-std::array<bool, kBufferCount> Workbench::wanted_buffers() const {
-  std::array<bool, kBufferCount> wanted{};
-  const auto want = [&](BufferName buffer) { wanted[static_cast<size_t>(buffer)] = true; };
+std::vector<BufferName> Workbench::wanted_buffers() const {
+  std::vector<BufferName> wanted;
   if (view.comparison.active) {
-    if (!view.comparison.a.pinned) want(view.comparison.a.buffer);
-    if (!view.comparison.b.pinned) want(view.comparison.b.buffer);
+    for (const ComparedPicture& side : {view.comparison.a, view.comparison.b}) {
+      if (!side.pinned) wanted.push_back(side.buffer);
+    }
     return wanted;
   }
-  if (view.filled) {
-    want(*view.filled);
-    return wanted;
+  if (view.filled) return {*view.filled};
+  for (const BufferName buffer : all_buffers()) {
+    if (is_listed(buffer)) wanted.push_back(buffer);
   }
-  for (size_t i = 0; i < kBufferCount; ++i) wanted[i] = is_listed(static_cast<BufferName>(i));
   return wanted;
 }
 
@@ -232,7 +242,7 @@ void Workbench::set_problem(ProblemKind kind, const std::string& text) {
 /// As far as the files decide it.
 bool Workbench::can_be_drawn(const Settings& settings) {
   try {
-    pictures.pipeline().keys(settings);
+    pictures.pipeline().at(settings);
   } catch (const Error&) {
     return false;
   }

@@ -109,11 +109,11 @@ class Workbench {
   bool poll_files();
   /// Another number after each such edit.
   long files_revision() const { return files_revision_; }
-  /// The settings of the pictures that are shown. Panels read pixels of these: others would run a pass in the
-  /// middle of the frame.
-  const std::optional<Settings>& drawn_settings() const { return drawn_; }
+  /// Of the pictures that are shown. Panels read pixels of it: another would run a pass in the middle of the
+  /// window's frame.
+  const std::optional<Frame>& drawn() const { return drawn_; }
   /// The buffers that the sheet shows, or those that fill the window.
-  std::array<bool, kBufferCount> wanted_buffers() const;
+  std::vector<BufferName> wanted_buffers() const;
   bool is_listed(BufferName buffer) const;
   void set_listed(BufferName buffer, bool listed);
   void pin();
@@ -168,6 +168,7 @@ class Workbench {
   void take_mesh(const OpenedFile& file);
   bool is_kept_preset(const std::filesystem::path& file) const;
   void take_from(const Origin& origin, const Settings& settings, const std::string& step);
+  const Settings& update_target();
   Key state_to_draw(const Settings& settings) const;
   /// Where `go_back` leads: a step of the history, else the last good settings.
   struct WayBack {
@@ -184,12 +185,19 @@ class Workbench {
   History history_;
   std::vector<Origin> origins_;  ///< By the numbers that the history knows.
   long revision_ = 0;
-  std::optional<Settings> drawn_;      ///< Of the pictures that are shown.
+  std::optional<Frame> drawn_;         ///< Of the pictures that are shown.
   std::optional<Settings> last_good_;  ///< That gave pictures.
   std::optional<Key> failed_;          ///< What could not be drawn: not tried again until something changes.
   WayBack way_back_;
   std::optional<Key> way_back_from_;  ///< The failure that it was found for.
   long files_revision_ = 0;
+  /// What is to be drawn: the settings, or the full mesh while its levels are made.
+  struct Target {
+    Settings settings;
+    long revision = -1, files_revision = -1;
+    Key state;
+    std::optional<Frame> frame;
+  } target_;
   Key drawn_state_;  ///< In the last frame.
   long drawn_changes_ = 0;
   std::string files_settings_, files_state_;  ///< At the last look.

@@ -41,11 +41,11 @@ glm::dvec3 up_of(const CameraParams& camera) {
 }
 
 /// Right-handed axes about which azimuth and elevation are measured: x right, y up, z to the front.
-struct Frame {
+struct CameraFrame {
   glm::dvec3 right, up, front;
 };
 
-Frame frame_of(const CameraParams& camera) {
+CameraFrame frame_of(const CameraParams& camera) {
   const glm::dvec3 up = up_of(camera);
   const glm::dvec3 reference = std::abs(up.z) < 0.999 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
   const glm::dvec3 front = glm::normalize(reference - up * glm::dot(reference, up));
@@ -56,13 +56,13 @@ struct Angles {
   double azimuth = 0, elevation = 0;  ///< In radians.
 };
 
-Angles angles_of(const Frame& frame, const glm::dvec3& direction) {
+Angles angles_of(const CameraFrame& frame, const glm::dvec3& direction) {
   const double level = std::hypot(glm::dot(direction, frame.right), glm::dot(direction, frame.front));
   return {std::atan2(glm::dot(direction, frame.right), glm::dot(direction, frame.front)),
           std::atan2(glm::dot(direction, frame.up), level)};
 }
 
-glm::dvec3 direction_at(const Frame& frame, const Angles& angles) {
+glm::dvec3 direction_at(const CameraFrame& frame, const Angles& angles) {
   const double limit = glm::radians(kMaxElevationDeg);
   const double elevation = std::clamp(angles.elevation, -limit, limit);
   return std::cos(elevation) *
@@ -163,7 +163,7 @@ CameraParams orbit_drag(const CameraParams& camera, const glm::vec2& from_px, co
 }
 
 CameraParams view_from(const CameraParams& camera, double azimuth_deg, double elevation_deg) {
-  const Frame frame = frame_of(camera);
+  const CameraFrame frame = frame_of(camera);
   const glm::dvec3 direction = direction_at(frame, {glm::radians(azimuth_deg), glm::radians(elevation_deg)});
   CameraParams moved = camera;
   moved.eye = glm::vec3(glm::dvec3(camera.target) + direction * glm::length(offset_of(camera)));
@@ -197,7 +197,7 @@ CameraParams dolly_at(const CameraParams& camera, double steps, const glm::vec2&
 }
 
 CameraParams look_around(const CameraParams& camera, double yaw_deg, double pitch_deg) {
-  const Frame frame = frame_of(camera);
+  const CameraFrame frame = frame_of(camera);
   const glm::dvec3 forward = -offset_of(camera);
   Angles angles = angles_of(frame, forward);
   angles.azimuth -= glm::radians(yaw_deg);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "pipeline/flow/buffer_names.h"
+#include "pipeline/buffers.h"
 #include "pipeline/settings/settings.h"
 #include "studies/sweep/spec.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/flow/buffer_names.h"
+#include "pipeline/buffers.h"
 #include "pipeline/settings/settings.h"
 
 namespace inkbench {

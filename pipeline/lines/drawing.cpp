@@ -47,6 +47,15 @@ Picture draw_reference(const ReferenceLines& lines) {
   return picture;
 }
 
+Image class_image(const ReferenceLines& lines) {
+  Image image(lines.width_px, lines.height_px, 1, 0.0F);
+  for (size_t i = kLineClasses.size(); i-- > 0;) {
+    for_each_pixel(class_map(lines, kLineClasses[i]),
+                   [&](int x, int y) { image.at(x, y) = static_cast<float>(i + 1); });
+  }
+  return image;
+}
+
 std::string reference_svg(const ReferenceLines& lines) {
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n",

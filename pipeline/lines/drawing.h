@@ -15,6 +15,10 @@ std::array<uint8_t, 3> colour_of(LineClass line_class);
 /// H x W x 3: the maps of the classes in their colours on white, earlier classes over later ones.
 Picture draw_reference(const ReferenceLines& lines);
 
+/// H x W x 1: 0 where there is no line, else the place of the first class that has one there, from 1 on, in
+/// `kLineClasses`.
+Image class_image(const ReferenceLines& lines);
+
 /// A group for each class, named by its id and drawn from the last to the first; one path for each polyline,
 /// with its object in `data-object`; coordinates in px with two decimals. No background, so that it can lie
 /// over a picture. The same lines give the same bytes.

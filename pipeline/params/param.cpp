@@ -4,26 +4,29 @@
 
 namespace inkbench {
 
-bool matters(const ParamGroup& group, const Field& field) {
+bool matters(const Description& description, const void* owner, const Field& field) {
   const std::string_view text = field.matters_when;
   const bool is_unequal = text.find(" != ") != std::string_view::npos;
   const std::string_view sign = is_unequal ? " != " : " = ";
   const size_t place = text.find(sign);
-  for (const Field& sibling : group.description->fields) {
+  for (const Field& sibling : description.fields) {
     if (place == std::string_view::npos || sibling.name != text.substr(0, place)) continue;
-    const Value value = sibling.get(group.owner);
+    const Value value = sibling.get(owner);
     const auto* word = std::get_if<std::string>(&value);
     return ((word != nullptr ? *word : to_text(value)) == text.substr(place + sign.size())) != is_unequal;
   }
   return true;
 }
 
-Value Param::value() const {
+template <class Owner>
+Value ParamOf<Owner>::value() const {
   const Value whole = field->get(owner);
   return component < 0 ? whole : Value(std::get<glm::vec3>(whole)[component]);
 }
 
-void Param::set(const Value& new_value, const std::string& where) const {
+template <class Owner>
+void ParamOf<Owner>::set(const Value& new_value, const std::string& where) const
+    requires(!std::is_const_v<Owner>) {
   if (component < 0) {
     check_value(*field, key, new_value, where);
     field->set(owner, new_value);
@@ -35,13 +38,18 @@ void Param::set(const Value& new_value, const std::string& where) const {
   field->set(owner, whole);
 }
 
-bool Param::overlaps(const Param& other) const {
+template <class Owner>
+bool ParamOf<Owner>::overlaps(const ParamOf& other) const {
   const bool one_is_whole = component < 0 || other.component < 0;
   return owner == other.owner && field == other.field && (one_is_whole || component == other.component);
 }
 
-bool Param::is_number() const {
+template <class Owner>
+bool ParamOf<Owner>::is_number() const {
   return component >= 0 || field->type == FieldType::integer || field->type == FieldType::real;
 }
+
+template struct ParamOf<void>;
+template struct ParamOf<const void>;
 
 }  // namespace inkbench

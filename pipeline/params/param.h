@@ -1,4 +1,5 @@
-// A parameter inside some settings: its key, its description and where its value is.
+// A parameter inside some settings: its key, its description and where its value is. Settings that are only
+// read give `Const...` ones.
 #pragma once
 
 #include <string>
@@ -8,30 +9,39 @@
 namespace inkbench {
 
 /// One described struct inside some settings: `prefix` is its key so far ("combine",
-/// "model.rabbit.material").
-struct ParamGroup {
+/// "model.rabbit.material"). `Owner` is void, or const void where it is only read.
+template <class Owner>
+struct ParamGroupOf {
   std::string prefix;
   const Description* description = nullptr;
-  void* owner = nullptr;
+  Owner* owner = nullptr;
 };
+using ParamGroup = ParamGroupOf<void>;
+using ConstParamGroup = ParamGroupOf<const void>;
 
-/// Whether a field of the group has an effect now: its `matters_when`, looked up among its siblings.
-bool matters(const ParamGroup& group, const Field& field);
+/// Whether a field of the struct has an effect now: its `matters_when`, looked up among its siblings.
+bool matters(const Description& description, const void* owner, const Field& field);
 
 /// Valid while the settings live and keep their models and lights.
-struct Param {
+template <class Owner>
+struct ParamOf {
   std::string key;  ///< "combine.k_depth", "model.rabbit.position", "camera.eye.x".
   const Field* field = nullptr;
-  void* owner = nullptr;
+  Owner* owner = nullptr;
   int component = -1;  ///< 0 to 2 when the key names one component of a vector.
 
   Value value() const;
-  /// Errors (input), all naming `where` and the key: out of range, not one of the choices.
-  void set(const Value& value, const std::string& where) const;
   /// Whether setting one changes the other: the same parameter (".x" is ".r"), or a vector and its component.
-  bool overlaps(const Param& other) const;
+  bool overlaps(const ParamOf& other) const;
   /// Whether its value is one number: an integer, a real one or a component of a vector.
   bool is_number() const;
+  /// Errors (input), all naming `where` and the key: out of range, not one of the choices.
+  void set(const Value& value, const std::string& where) const requires(!std::is_const_v<Owner>);
 };
+using Param = ParamOf<void>;
+using ConstParam = ParamOf<const void>;
+
+extern template struct ParamOf<void>;
+extern template struct ParamOf<const void>;
 
 }  // namespace inkbench

@@ -16,6 +16,11 @@ struct ChoiceNames<LightType> {
   static constexpr std::array<std::string_view, 2> names{"directional", "point"};
 };
 
+/// Lights and materials lie in uniform blocks of fixed size: the software renderer reads those several times
+/// faster than storage buffers, and every driver has room for these.
+constexpr int kMaxLights = 64;
+constexpr int kMaxModels = 256;
+
 struct LightParams {
   std::string name;
   LightType type = LightType::directional;

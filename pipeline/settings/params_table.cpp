@@ -42,9 +42,9 @@ std::string help_with_condition(const Field& field) {
   return help;
 }
 
-std::string text_table(Settings& settings) {
+std::string text_table(const Settings& settings) {
   std::string text;
-  for (const ParamGroup& group : list_groups(settings)) {
+  for (const ConstParamGroup& group : list_groups(settings)) {
     text += fmt::format("{}{}\n", text.empty() ? "" : "\n", group.description->title);
     for (const Field& field : group.description->fields) {
       const std::string key = group.prefix + "." + std::string(field.name);
@@ -57,9 +57,9 @@ std::string text_table(Settings& settings) {
   return text;
 }
 
-std::string markdown_table(Settings& settings) {
+std::string markdown_table(const Settings& settings) {
   std::string text;
-  for (const ParamGroup& group : list_groups(settings)) {
+  for (const ConstParamGroup& group : list_groups(settings)) {
     text += fmt::format(
         "{}### {}\n\n| key | type | default | allowed | unit | what it does |\n|---|---|---|---|---|---|\n",
         text.empty() ? "" : "\n", group.description->title);
@@ -72,9 +72,9 @@ std::string markdown_table(Settings& settings) {
   return text;
 }
 
-std::string json_table(Settings& settings) {
+std::string json_table(const Settings& settings) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const ParamGroup& group : list_groups(settings)) {
+  for (const ConstParamGroup& group : list_groups(settings)) {
     for (const Field& field : group.description->fields) {
       nlohmann::ordered_json entry{{"key", group.prefix + "." + std::string(field.name)},
                                    {"group", group.description->title},
@@ -97,7 +97,7 @@ std::string json_table(Settings& settings) {
 }  // namespace
 
 std::string params_table(TableFormat format) {
-  Settings settings = one_of_each();
+  const Settings settings = one_of_each();
   switch (format) {
     case TableFormat::text:
       return text_table(settings);

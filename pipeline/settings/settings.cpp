@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <set>
+#include <type_traits>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
@@ -19,54 +20,69 @@ int component_of(const std::string& key, const Field& field) {
   return place == std::string_view::npos ? -1 : static_cast<int>(place % 3);
 }
 
-/// The groups of the models and lights that `wanted(prefix)` names, and all others.
-template <class Wanted>
-std::vector<ParamGroup> groups_where(Settings& settings, const Wanted& wanted) {
-  std::vector<ParamGroup> groups;
-  const auto add = [&](const std::string& prefix, const Description& description, void* owner) {
-    groups.push_back({prefix, &description, owner});
-  };
-  add("image", ImageParams::description(), &settings.image);
-  add("camera", CameraParams::description(), &settings.camera);
-  add("scene", SceneParams::description(), &settings.scene);
-  for (ModelParams& model : settings.models) {
-    if (!wanted("model", model.name)) continue;
-    add("model." + model.name, ModelParams::description(), &model);
-    add("model." + model.name + ".material", MaterialParams::description(), &model.material);
-  }
-  add("mesh", MeshParams::description(), &settings.mesh);
-  for (LightParams& light : settings.lights) {
-    if (wanted("light", light.name)) add("light." + light.name, LightParams::description(), &light);
-  }
-  add("ramp", RampParams::description(), &settings.ramp);
-  add("combine", CombineParams::description(), &settings.combine);
-  add("ink", InkParams::description(), &settings.ink);
-  add("display", DisplayParams::description(), &settings.display);
+/// The groups of the models and lights that `wanted(list, name)` names, and all others. `Owner`: void, or
+/// const void for const settings.
+template <class Owner, class AnySettings, class Wanted>
+std::vector<ParamGroupOf<Owner>> groups_where(AnySettings& settings, const Wanted& wanted) {
+  std::vector<ParamGroupOf<Owner>> groups;
+  visit_groups(
+      settings,
+      [&](const std::string& prefix, auto& group) {
+        groups.push_back({prefix, &std::remove_reference_t<decltype(group)>::description(), &group});
+      },
+      wanted);
+  BroughtGroups::visit(settings.brought, [&](const Description& description, Owner* owner) {
+    groups.push_back({std::string(description.group), &description, owner});
+  });
   return groups;
+}
+
+bool all_names(std::string_view, const std::string&) {
+  return true;
 }
 
 /// Looks only into the groups that the key can be in: a study looks up keys by the million, a scene may have
 /// thousands of models.
-std::optional<Param> lookup(Settings& settings, const std::string& key) {
+template <class Owner, class AnySettings>
+std::optional<ParamOf<Owner>> lookup(AnySettings& settings, const std::string& key) {
   const auto is_named = [&](std::string_view list, const std::string& name) {
     const size_t end = list.size() + 1 + name.size();
     return key.size() > end && key[end] == '.' && key.starts_with(list) &&
            key.compare(list.size() + 1, name.size(), name) == 0;
   };
-  for (const ParamGroup& group : groups_where(settings, is_named)) {
+  for (const ParamGroupOf<Owner>& group : groups_where<Owner>(settings, is_named)) {
     if (!key.starts_with(group.prefix) || key.size() <= group.prefix.size() ||
         key[group.prefix.size()] != '.')
       continue;
     const std::string_view rest = std::string_view(key).substr(group.prefix.size() + 1);
     for (const Field& field : group.description->fields) {
-      if (rest == field.name) return Param{key, &field, group.owner, -1};
+      if (rest == field.name) return ParamOf<Owner>{key, &field, group.owner, -1};
       const bool is_prefix = rest.size() == field.name.size() + 2 && rest.starts_with(field.name) &&
                              rest[field.name.size()] == '.';
       const int component = is_prefix ? component_of(key, field) : -1;
-      if (component >= 0) return Param{key, &field, group.owner, component};
+      if (component >= 0) return ParamOf<Owner>{key, &field, group.owner, component};
     }
   }
   return std::nullopt;
+}
+
+template <class Owner, class AnySettings>
+std::vector<ParamOf<Owner>> params_of(AnySettings& settings) {
+  std::vector<ParamOf<Owner>> params;
+  for (const ParamGroupOf<Owner>& group : groups_where<Owner>(settings, all_names)) {
+    for (const Field& field : group.description->fields) {
+      params.push_back({group.prefix + "." + std::string(field.name), &field, group.owner, -1});
+    }
+  }
+  return params;
+}
+
+[[noreturn]] void throw_unknown(const Settings& settings, const std::string& key, const std::string& where) {
+  std::vector<std::string> keys;
+  for (const ConstParam& param : list_params(settings)) keys.push_back(param.key);
+  const std::string nearest = suggest(key, keys);
+  throw input_error(where, "unknown parameter '" + key + "'",
+                    nearest.empty() ? "`inkbench params` lists them all" : nearest);
 }
 
 void check_names_differ(const Settings& settings) {
@@ -85,30 +101,42 @@ void check_names_differ(const Settings& settings) {
 }  // namespace
 
 std::vector<ParamGroup> list_groups(Settings& settings) {
-  return groups_where(settings, [](std::string_view, const std::string&) { return true; });
+  return groups_where<void>(settings, all_names);
+}
+
+std::vector<ConstParamGroup> list_groups(const Settings& settings) {
+  return groups_where<const void>(settings, all_names);
 }
 
 std::vector<Param> list_params(Settings& settings) {
-  std::vector<Param> params;
-  for (const ParamGroup& group : list_groups(settings)) {
-    for (const Field& field : group.description->fields) {
-      params.push_back({group.prefix + "." + std::string(field.name), &field, group.owner, -1});
-    }
-  }
-  return params;
+  return params_of<void>(settings);
 }
 
-bool has_param(Settings& settings, const std::string& key) {
-  return lookup(settings, key).has_value();
+std::vector<ConstParam> list_params(const Settings& settings) {
+  return params_of<const void>(settings);
+}
+
+bool has_param(const Settings& settings, const std::string& key) {
+  return lookup<const void>(settings, key).has_value();
 }
 
 Param find_param(Settings& settings, const std::string& key, const std::string& where) {
-  if (const std::optional<Param> param = lookup(settings, key)) return *param;
-  std::vector<std::string> keys;
-  for (const Param& param : list_params(settings)) keys.push_back(param.key);
-  const std::string nearest = suggest(key, keys);
-  throw input_error(where, "unknown parameter '" + key + "'",
-                    nearest.empty() ? "`inkbench params` lists them all" : nearest);
+  if (const std::optional<Param> param = lookup<void>(settings, key)) return *param;
+  throw_unknown(settings, key, where);
+}
+
+ConstParam find_param(const Settings& settings, const std::string& key, const std::string& where) {
+  if (const std::optional<ConstParam> param = lookup<const void>(settings, key)) return *param;
+  throw_unknown(settings, key, where);
+}
+
+std::string group_text(const Description& description, const void* owner) {
+  std::string text;
+  for (const Field& field : description.fields) {
+    text += field.name;
+    text += " = " + to_text(field.get(owner)) + "\n";
+  }
+  return text;
 }
 
 void set_param_text(Settings& settings, const std::string& key, const std::string& text,

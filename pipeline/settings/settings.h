@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/params/param.h"
+#include "pipeline/settings/brought_groups.h"
 #include "pipeline/settings/camera.h"
 #include "pipeline/settings/combine_params.h"
 #include "pipeline/settings/display_params.h"
@@ -31,18 +32,51 @@ struct Settings {
   CombineParams combine;
   InkParams ink;
   DisplayParams display;
+  BroughtGroups brought;  ///< Of passes that bring a group of their own.
 };
+
+/// Calls `visit(prefix, group)` for every group, in the order in which files and tables show them; of models
+/// and lights those for which `wanted("model" or "light", name)`. The one list of groups.
+template <class AnySettings, class Visit, class Wanted>
+void visit_groups(AnySettings& settings, const Visit& visit, const Wanted& wanted) {
+  visit("image", settings.image);
+  visit("camera", settings.camera);
+  visit("scene", settings.scene);
+  for (auto& model : settings.models) {
+    if (!wanted("model", model.name)) continue;
+    visit("model." + model.name, model);
+    visit("model." + model.name + ".material", model.material);
+  }
+  visit("mesh", settings.mesh);
+  for (auto& light : settings.lights) {
+    if (wanted("light", light.name)) visit("light." + light.name, light);
+  }
+  visit("ramp", settings.ramp);
+  visit("combine", settings.combine);
+  visit("ink", settings.ink);
+  visit("display", settings.display);
+}
 
 /// All groups, in the order in which files and tables show them.
 std::vector<ParamGroup> list_groups(Settings& settings);
+std::vector<ConstParamGroup> list_groups(const Settings& settings);
 
 /// All parameters, group by group.
 std::vector<Param> list_params(Settings& settings);
+std::vector<ConstParam> list_params(const Settings& settings);
 
 /// The parameter of that key; `.x .y .z` or `.r .g .b` after a vector's key name a component.
 /// Errors (input): unknown key, with the nearest valid one.
 Param find_param(Settings& settings, const std::string& key, const std::string& where);
-bool has_param(Settings& settings, const std::string& key);
+ConstParam find_param(const Settings& settings, const std::string& key, const std::string& where);
+bool has_param(const Settings& settings, const std::string& key);
+
+/// The canonical text of a described struct: what keys fold of it.
+std::string group_text(const Description& description, const void* owner);
+template <class Params>
+std::string group_text(const Params& params) {
+  return group_text(Params::description(), &params);
+}
 
 /// Sets from TOML text of a value ("0.003", "[0, 1, 0]", "\"box\"", also bare words and "0, 1, 0"); relative
 /// paths are taken from the working folder. Errors (input): as `Param::set`.

@@ -51,11 +51,11 @@ std::string checked_name(const TomlNode& item, const std::string& list, const So
   return name->text;
 }
 
-bool is_group(Settings& settings, const std::string& prefix) {
-  const std::vector<ParamGroup> groups = list_groups(settings);
+bool is_group(const Settings& settings, const std::string& prefix) {
+  const std::vector<ConstParamGroup> groups = list_groups(settings);
   return prefix == "model" || prefix == "light" ||
          std::any_of(groups.begin(), groups.end(),
-                     [&](const ParamGroup& group) { return group.prefix == prefix; });
+                     [&](const ConstParamGroup& group) { return group.prefix == prefix; });
 }
 
 /// Sets every value below `table`, whose own key is `prefix`.
@@ -124,7 +124,7 @@ Settings read_settings(const TomlNode& document, const Source& source) {
   return settings;
 }
 
-void append_fields(std::string& text, const ParamGroup& group, const std::string& key_prefix) {
+void append_fields(std::string& text, const ConstParamGroup& group, const std::string& key_prefix) {
   for (const Field& field : group.description->fields) {
     text += key_prefix + std::string(field.name) + " = " + to_text(field.get(group.owner)) + "\n";
   }
@@ -175,10 +175,9 @@ void visit_table(Settings& settings, const TomlNode& table, const std::string& p
 }
 
 std::string settings_text(const Settings& settings) {
-  Settings copy = settings;
   std::string plain;
   std::string lists;
-  for (const ParamGroup& group : list_groups(copy)) {
+  for (const ConstParamGroup& group : list_groups(settings)) {
     const std::vector<std::string> parts = split(group.prefix, '.');
     if (parts.size() == 1) {
       plain += "[" + group.prefix + "]\n";

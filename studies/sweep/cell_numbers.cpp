@@ -4,6 +4,7 @@
 #include <map>
 
 #include "pipeline/base/text.h"
+#include "pipeline/passes/lines/reference.h"
 #include "studies/judging/measured_lines.h"
 #include "studies/measures/measures.h"
 
@@ -45,8 +46,8 @@ void CellTally::add(const CellTally& other) {
   inner.add(other.inner);
 }
 
-CellMeter::CellMeter(BufferSource& buffers, const StudySpec& spec)
-    : buffers_(buffers), spec_(spec), full_views_(view_count(spec)) {
+CellMeter::CellMeter(Pipeline& pipeline, const StudySpec& spec)
+    : pipeline_(pipeline), spec_(spec), full_views_(view_count(spec)) {
   wants_lines_ = wants("empty") || wants("f1_detector");
   for (const MeasureInfo& info : measure_list()) wants_lines_ = wants_lines_ || wants(info.key);
   wants_inner_ = wants("internal_kept") || wants("internal_new");
@@ -58,20 +59,20 @@ bool CellMeter::wants(std::string_view measure) const {
 }
 
 /// The full mesh has its own level's normals and the cell's other settings.
-const LineMap& CellMeter::full_drawing(const Settings& full) {
-  const PassKeys keys = buffers_.pipeline().keys(full);
-  const Key key = KeyBuilder().add(keys.gbuffer).add(keys.combine).key();
+const LineMap& CellMeter::full_drawing(const Frame& full) {
+  const Key key = full.key(BufferName::combined_edges);
   if (const auto kept = full_drawings_.find(key); kept != full_drawings_.end()) return kept->second;
-  const int64_t bytes = int64_t{full.image.width} * full.image.height / 8;
+  const int64_t bytes = int64_t{full.settings().image.width} * full.settings().image.height / 8;
   if (static_cast<int64_t>(full_drawings_.size() + 1) * bytes > kKeptDrawingsBytes) full_drawings_.clear();
-  return full_drawings_[key] = drawn_lines(buffers_.raw(full, BufferName::combined_edges));
+  return full_drawings_[key] = drawn_lines(full.raw(BufferName::combined_edges));
 }
 
 void CellMeter::add_ladder(const Settings& settings, size_t view, const LineView& level, CellTally& tally) {
-  Settings full = settings;
-  full.mesh = MeshParams{};
-  const LineView& full_lines = full_views_[view].get(buffers_.reference_key(full),
-                                                     [&] { return line_view({}, buffers_.reference(full)); });
+  Settings full_settings = settings;
+  full_settings.mesh = MeshParams{};
+  const Frame full = pipeline_.at(full_settings);
+  const LineView& full_lines = full_views_[view].get(
+      full.key(BufferName::reference), [&] { return line_view({}, *full.value<ReferencePass>()); });
   if (wants_ladder_) tally.ladder = tally_against_full(level, full_lines);
   if (!wants_inner_) return;
   LineView full_view = full_lines;
@@ -79,17 +80,19 @@ void CellMeter::add_ladder(const Settings& settings, size_t view, const LineView
   tally.inner = tally_inner(level, full_view);
 }
 
-CellTally CellMeter::tally(const Settings& settings, size_t view) {
-  const Image edges = buffers_.raw(settings, BufferName::combined_edges);
+CellTally CellMeter::tally(const Frame& frame, size_t view) {
+  const Settings& settings = frame.settings();
+  const Image edges = frame.raw(BufferName::combined_edges);
   CellTally tally;
   tally.pixels = static_cast<int64_t>(edges.samples.size());
   tally.inked = std::count_if(edges.samples.begin(), edges.samples.end(), [](float e) { return e > 0.0F; });
   if (spec_.measures.empty()) return tally;
   if (const auto model = main_model_index(settings)) {
-    MeshStore& meshes = buffers_.pipeline().meshes();
-    tally.faces = meshes.get(settings.models[*model], level_of(settings, *model)).face_count();
+    MeshStore& meshes = pipeline_.meshes();
+    tally.faces = meshes.get(settings.models[*model], level_of(settings, *model))->face_count();
   }
-  const ReferenceLines& lines = buffers_.reference(settings);
+  const std::shared_ptr<const ReferenceLines> found = frame.value<ReferencePass>();
+  const ReferenceLines& lines = *found;
   const LineView level = line_view(drawn_lines(edges), lines);
   if (wants_lines_) tally.lines = tally_view(level, lines);
   for (size_t i = 0; i < kLineClasses.size(); ++i) {

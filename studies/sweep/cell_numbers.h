@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/judging/buffer_source.h"
+#include "pipeline/pipeline.h"
 #include "studies/measures/ladder_measures.h"
 #include "studies/sweep/spec.h"
 
@@ -27,10 +27,10 @@ struct CellTally {
 
 class CellMeter {
  public:
-  CellMeter(BufferSource& buffers, const StudySpec& spec);
+  CellMeter(Pipeline& pipeline, const StudySpec& spec);
 
   /// Draws what the measures need. `view` is the place in the spec's views.
-  CellTally tally(const Settings& settings, size_t view);
+  CellTally tally(const Frame& frame, size_t view);
 
   /// One text for each of `number_columns`; empty where a measure has no value (a recall over no lines).
   std::vector<std::string> numbers(const CellTally& tally) const;
@@ -38,9 +38,9 @@ class CellMeter {
  private:
   bool wants(std::string_view measure) const;
   void add_ladder(const Settings& settings, size_t view, const LineView& level, CellTally& tally);
-  const LineMap& full_drawing(const Settings& full);
+  const LineMap& full_drawing(const Frame& full);
 
-  BufferSource& buffers_;
+  Pipeline& pipeline_;
   const StudySpec& spec_;
   bool wants_lines_ = false, wants_ladder_ = false, wants_inner_ = false;
   std::vector<Stage<LineView>> full_views_;  ///< For each view the full mesh's lines; `drawn` is left empty.

@@ -5,39 +5,25 @@
 namespace inkbench {
 namespace {
 
-/// What a change costs, by the stages whose keys differ. The weights are the passes' rough shares of a frame;
-/// only their order matters.
-int change_cost(const PassKeys& a, const PassKeys& b) {
-  int cost = 0;
-  cost += a.meshes != b.meshes ? 200 : 0;
-  cost += a.gbuffer != b.gbuffer ? 10 : 0;
-  cost += a.gradient != b.gradient ? 10 : 0;
-  cost += a.range != b.range ? 5 : 0;
-  cost += a.shade != b.shade ? 8 : 0;
-  cost += a.combine != b.combine ? 2 : 0;
-  cost += a.ink != b.ink ? 1 : 0;
-  return cost;
-}
-
 int axis_cost(Pipeline& pipeline, const StudySpec& spec, const Axis& axis) {
-  const auto keys_at = [&](const Value& value) {
+  const auto frame_at = [&](const Value& value) {
     Settings settings = spec.base;
     find_param(settings, axis.key, axis.key).set(value, axis.key);
-    return pipeline.keys(settings);
+    return pipeline.at(settings);
   };
-  return change_cost(keys_at(axis.values.front()), keys_at(axis.values.back()));
+  return frame_at(axis.values.back()).cost_after(frame_at(axis.values.front()));
 }
 
 int view_cost(Pipeline& pipeline, const StudySpec& spec) {
   const Cell cell = make_cell(spec, 0);
-  return change_cost(pipeline.keys(view_settings(spec, cell, 0)),
-                     pipeline.keys(view_settings(spec, cell, view_count(spec) - 1)));
+  return pipeline.at(view_settings(spec, cell, view_count(spec) - 1))
+      .cost_after(pipeline.at(view_settings(spec, cell, 0)));
 }
 
 int variant_cost(Pipeline& pipeline, const StudySpec& spec) {
   const size_t stride = cell_count(spec) / spec.variants.size();
   const Cell first = make_cell(spec, 0), last = make_cell(spec, cell_count(spec) - stride);
-  int cost = change_cost(pipeline.keys(cell_settings(spec, first)), pipeline.keys(cell_settings(spec, last)));
+  const int cost = pipeline.at(cell_settings(spec, last)).cost_after(pipeline.at(cell_settings(spec, first)));
   return cost + 1;  // outside an axis of equal cost
 }
 

@@ -14,8 +14,8 @@
 #include "pipeline/base/files.h"
 #include "pipeline/export.h"
 #include "pipeline/lines/drawing.h"
+#include "pipeline/passes/lines/reference.h"
 #include "pipeline/settings/settings_file.h"
-#include "studies/judging/buffer_source.h"
 #include "studies/sweep/cell_numbers.h"
 #include "studies/sweep/manifest.h"
 #include "studies/sweep/study_folder.h"
@@ -45,10 +45,8 @@ Key cell_key(Pipeline& pipeline, const StudySpec& spec, const Cell& cell) {
   KeyBuilder builder;
   builder.add(INKBENCH_VERSION);
   for (size_t view = 0; view < view_count(spec); ++view) {
-    const Settings settings = view_settings(spec, cell, view);
-    const PassKeys keys = pipeline.keys(settings);
-    builder.add(settings_text(settings)).add(keys.picture);
-    for (const Key& key : {keys.ink, keys.blinn_phong, keys.quantise}) builder.add(key);
+    const Frame frame = pipeline.at(view_settings(spec, cell, view));
+    builder.add(settings_text(frame.settings())).add(frame.key());
   }
   for (const BufferName buffer : spec.show) builder.add(name_of(buffer));
   for (const std::string& measure : spec.measures) builder.add(measure);
@@ -136,10 +134,10 @@ class StudyRun {
 
   DrawnView draw(const CellView& place) {
     DrawnView drawn{place, view_settings(spec_, make_cell(spec_, place.cell), place.view), {}};
-    for (const BufferName buffer : spec_.show)
-      drawn.pictures.push_back(buffers_.picture(drawn.settings, buffer));
-    const CellTally tally = meter_.tally(drawn.settings, place.view);
-    const std::string overlay = write_overlay(drawn.settings);
+    const Frame frame = pipeline_.at(drawn.settings);
+    for (const BufferName buffer : spec_.show) drawn.pictures.push_back(frame.picture(buffer));
+    const CellTally tally = meter_.tally(frame, place.view);
+    const std::string overlay = write_overlay(frame);
     const std::lock_guard lock(mutex_);
     OpenCell& open = open_[place.cell];
     open.overlays.resize(view_count(spec_));
@@ -149,10 +147,10 @@ class StudyRun {
   }
 
   /// Cells of equal geometry and camera share a file.
-  std::string write_overlay(const Settings& settings) {
-    const std::string name = "reference/" + buffers_.reference_key(settings).text().substr(0, 16) + ".svg";
+  std::string write_overlay(const Frame& frame) {
+    const std::string name = "reference/" + frame.key(BufferName::reference).text().substr(0, 16) + ".svg";
     if (overlays_.contains(name)) return name;
-    write_file_atomically(folder_.path() / name, reference_svg(buffers_.reference(settings)));
+    write_file_atomically(folder_.path() / name, reference_svg(*frame.value<ReferencePass>()));
     overlays_.insert(name);
     return name;
   }
@@ -212,9 +210,8 @@ class StudyRun {
   }
 
   Pipeline& pipeline_;
-  BufferSource buffers_{pipeline_};
   const StudySpec& spec_;
-  CellMeter meter_{buffers_, spec_};
+  CellMeter meter_{pipeline_, spec_};
   const StudyOptions& options_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   StudyFolder folder_;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/flow/buffer_names.h"
+#include "pipeline/buffers.h"
 #include "pipeline/settings/settings.h"
 #include "studies/report/chart.h"
 

@@ -26,8 +26,9 @@ bool is_cell_name(const std::string& name) {
   if (digits == std::string::npos || digits < 4 || name[digits] != '_' || !name.ends_with(".png"))
     return false;
   const std::string rest = name.substr(digits, name.size() - digits - 4);  // "_final" or "_front_final"
-  return std::any_of(kBufferNames.begin(), kBufferNames.end(),
-                     [&](std::string_view buffer) { return rest.ends_with("_" + std::string(buffer)); });
+  const std::vector<BufferName> buffers = all_buffers();
+  return std::any_of(buffers.begin(), buffers.end(),
+                     [&](BufferName buffer) { return rest.ends_with("_" + std::string(name_of(buffer))); });
 }
 
 /// Removes the files in a folder of the study that it names as its own and does not use.

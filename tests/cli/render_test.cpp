@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/flow/buffer_names.h"
+#include "pipeline/buffers.h"
 #include "pipeline/image/image_file.h"
 #include "pipeline/settings/settings_file.h"
 #include "tests/cli/cli_test.h"
@@ -69,9 +69,10 @@ TEST_F(Render, without_buffers_writes_final_alone) {
 TEST_F(Render, all_buffers_have_the_size_and_channels_they_promise) {
   ASSERT_TRUE(succeeds(render("png", {"--buffers", "all"})));
   ASSERT_TRUE(succeeds(render("exr", {"--buffers", "all", "--format", "exr"})));
-  EXPECT_EQ(folder_content(file("png")).size(), kBufferNames.size());
-  EXPECT_EQ(folder_content(file("exr")).size(), kBufferNames.size());
-  for (const std::string_view name : kBufferNames) {
+  EXPECT_EQ(folder_content(file("png")).size(), all_buffers().size());
+  EXPECT_EQ(folder_content(file("exr")).size(), all_buffers().size());
+  for (const BufferName which : all_buffers()) {
+    const std::string_view name = name_of(which);
     const Image png = read_image(file("png/" + std::string(name) + ".png"));
     const Image exr = read_image(file("exr/" + std::string(name) + ".exr"));
     const bool is_colour = name == "normal" || name == "shaded" || name == "final" || name == "blinn_phong";
@@ -103,7 +104,8 @@ TEST_F(Render, picture_is_the_raw_value_times_the_gain) {
   raw.insert(raw.end(), {"--format", "exr"});
   ASSERT_TRUE(succeeds(render("exr", raw)));
   const std::map<std::string, float> gains{{"depth", 1.5F}, {"depth_edges", 128.0F}, {"normal_edges", 16.0F}};
-  for (const std::string_view buffer : kBufferNames) {
+  for (const BufferName which : all_buffers()) {
+    const std::string_view buffer = name_of(which);
     if (buffer == "object_id" || buffer == "reference") continue;  // distinct colours, below
     const std::string name(buffer);
     const Picture png = picture("png/" + name + ".png");

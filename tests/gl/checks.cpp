@@ -104,6 +104,12 @@ double largest_difference(const Image& a, const Image& b) {
   return largest;
 }
 
+std::vector<BufferName> framebuffers() {
+  std::vector<BufferName> buffers = all_buffers();
+  std::erase_if(buffers, [](BufferName buffer) { return buffer.info().shown_as == ShownAs::drawing; });
+  return buffers;
+}
+
 std::string input_error_of(const std::function<void()>& action) {
   try {
     action();

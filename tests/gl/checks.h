@@ -13,6 +13,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/scratch_folder.h"
+#include "pipeline/buffers.h"
 #include "pipeline/gl/texture.h"
 #include "tests/gl/cpu_reference.h"
 
@@ -41,6 +42,9 @@ double share_of(const ImageOf<uint8_t>& mask);
 
 /// Largest difference between two images of one size.
 double largest_difference(const Image& a, const Image& b);
+
+/// The buffers that are textures, in the table's order.
+std::vector<BufferName> framebuffers();
 
 /// What the action throws as an input error, or nothing and a test failure.
 std::string input_error_of(const std::function<void()>& action);

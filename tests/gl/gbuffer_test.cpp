@@ -22,10 +22,11 @@ void expect_rays(const Settings& settings) {
   Pipeline pipeline;
   const reference::Surface expected = reference::cast_rays(settings);
   const ImageOf<uint8_t> outlines = reference::outlines(expected);
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::object_id), expected.object_id, 0.0, &outlines));
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::depth), expected.depth, kDepthTolerance, &outlines));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::object_id), expected.object_id, 0.0, &outlines));
   EXPECT_TRUE(
-      is_near(pipeline.raw(settings, BufferName::normal), expected.normal, kNormalTolerance, &outlines));
+      is_near(pipeline.at(settings).raw(BufferName::depth), expected.depth, kDepthTolerance, &outlines));
+  EXPECT_TRUE(
+      is_near(pipeline.at(settings).raw(BufferName::normal), expected.normal, kNormalTolerance, &outlines));
   EXPECT_LT(share_of(outlines), 0.2);
 }
 
@@ -54,11 +55,11 @@ TEST(GBuffer, equals_rays_inside_an_inside_out_sphere) {
   Pipeline pipeline;
   const reference::Surface expected = reference::cast_rays(settings);
   const ImageOf<uint8_t> outlines = reference::outlines(expected);
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::object_id), expected.object_id, 0.0, &outlines));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::object_id), expected.object_id, 0.0, &outlines));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::depth), expected.depth, 10.0 * kDepthTolerance,
+                      &outlines));
   EXPECT_TRUE(
-      is_near(pipeline.raw(settings, BufferName::depth), expected.depth, 10.0 * kDepthTolerance, &outlines));
-  EXPECT_TRUE(
-      is_near(pipeline.raw(settings, BufferName::normal), expected.normal, kNormalTolerance, &outlines));
+      is_near(pipeline.at(settings).raw(BufferName::normal), expected.normal, kNormalTolerance, &outlines));
 }
 
 TEST(GBuffer, normals_of_a_stretched_sphere_stay_perpendicular) {
@@ -72,9 +73,9 @@ TEST(GBuffer, normals_of_a_stretched_sphere_stay_perpendicular) {
   Pipeline pipeline;
   const reference::Surface expected = reference::cast_rays(settings);
   const ImageOf<uint8_t> outlines = reference::outlines(expected);
-  EXPECT_TRUE(
-      is_near(pipeline.raw(settings, BufferName::depth), expected.depth, 4.0 * kDepthTolerance, &outlines));
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::normal), expected.normal, 6.0 * kNormalTolerance,
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::depth), expected.depth, 4.0 * kDepthTolerance,
+                      &outlines));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::normal), expected.normal, 6.0 * kNormalTolerance,
                       &outlines));
 }
 
@@ -86,11 +87,11 @@ TEST(GBuffer, shows_the_inside_of_closed_shapes_to_an_eye_inside) {
   Pipeline pipeline;
   const reference::Surface expected = reference::cast_rays(settings);
   const ImageOf<uint8_t> outlines = reference::outlines(expected);
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::object_id), expected.object_id, 0.0, &outlines));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::object_id), expected.object_id, 0.0, &outlines));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::depth), expected.depth, 8.0 * kDepthTolerance,
+                      &outlines));
   EXPECT_TRUE(
-      is_near(pipeline.raw(settings, BufferName::depth), expected.depth, 8.0 * kDepthTolerance, &outlines));
-  EXPECT_TRUE(
-      is_near(pipeline.raw(settings, BufferName::normal), expected.normal, kNormalTolerance, &outlines));
+      is_near(pipeline.at(settings).raw(BufferName::normal), expected.normal, kNormalTolerance, &outlines));
 }
 
 TEST(GBuffer, shows_the_inside_of_shapes_that_the_near_plane_cuts) {
@@ -115,16 +116,16 @@ TEST(GBuffer, depth_is_the_papers_linearisation_over_far) {
   const double z_ndc = (far + near) / (far - near) - 2.0 * far * near / ((far - near) * 4.0);
   const double linear = 2.0 * near * far / (near + far - z_ndc * (far - near));
   Pipeline pipeline;
-  for (const float depth : pipeline.raw(settings, BufferName::depth).samples)
+  for (const float depth : pipeline.at(settings).raw(BufferName::depth).samples)
     ASSERT_NEAR(depth, linear / far, 1e-6);
 }
 
 TEST(GBuffer, near_plane_does_not_change_depth) {
   Settings settings = analytic_scene();
   Pipeline pipeline;
-  const Image before = pipeline.raw(settings, BufferName::depth);
+  const Image before = pipeline.at(settings).raw(BufferName::depth);
   settings.camera.near = 1.0F;
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::depth), before, 1e-6));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::depth), before, 1e-6));
 }
 
 TEST(GBuffer, background_is_far_and_without_normal_and_object) {
@@ -132,11 +133,12 @@ TEST(GBuffer, background_is_far_and_without_normal_and_object) {
   settings.models.clear();
   settings.scene.background = {0.9F, 0.2F, 0.3F};
   Pipeline pipeline;
-  EXPECT_EQ(largest_difference(pipeline.raw(settings, BufferName::depth), Image(48, 40, 1, 1.0F)), 0.0);
-  EXPECT_EQ(largest_difference(pipeline.raw(settings, BufferName::normal), Image(48, 40, 3, 0.5F)), 0.0);
-  EXPECT_EQ(largest_difference(pipeline.raw(settings, BufferName::object_id), Image(48, 40, 1, 0.0F)), 0.0);
+  EXPECT_EQ(largest_difference(pipeline.at(settings).raw(BufferName::depth), Image(48, 40, 1, 1.0F)), 0.0);
+  EXPECT_EQ(largest_difference(pipeline.at(settings).raw(BufferName::normal), Image(48, 40, 3, 0.5F)), 0.0);
+  EXPECT_EQ(largest_difference(pipeline.at(settings).raw(BufferName::object_id), Image(48, 40, 1, 0.0F)),
+            0.0);
   for (const BufferName buffer : {BufferName::shaded, BufferName::final, BufferName::blinn_phong}) {
-    const Image image = pipeline.raw(settings, buffer);
+    const Image image = pipeline.at(settings).raw(buffer);
     for (int c = 0; c < 3; ++c)
       EXPECT_EQ(image.at(20, 20, c), settings.scene.background[c]) << name_of(buffer);
   }
@@ -147,7 +149,7 @@ TEST(GBuffer, object_ids_are_exact_and_keep_the_scenes_order) {
   Pipeline pipeline;
   const auto ids_in = [&] {
     std::set<float> ids;
-    for (const float id : pipeline.raw(settings, BufferName::object_id).samples) ids.insert(id);
+    for (const float id : pipeline.at(settings).raw(BufferName::object_id).samples) ids.insert(id);
     return ids;
   };
   EXPECT_EQ(ids_in(), (std::set<float>{0.0F, 1.0F, 2.0F, 3.0F}));
@@ -158,9 +160,9 @@ TEST(GBuffer, object_ids_are_exact_and_keep_the_scenes_order) {
 TEST(GBuffer, nearer_surfaces_hide_farther_ones_in_any_order) {
   Settings settings = analytic_scene();
   Pipeline pipeline;
-  const Image depth = pipeline.raw(settings, BufferName::depth);
+  const Image depth = pipeline.at(settings).raw(BufferName::depth);
   std::reverse(settings.models.begin(), settings.models.end());
-  EXPECT_EQ(largest_difference(pipeline.raw(settings, BufferName::depth), depth), 0.0);
+  EXPECT_EQ(largest_difference(pipeline.at(settings).raw(BufferName::depth), depth), 0.0);
 }
 
 }  // namespace

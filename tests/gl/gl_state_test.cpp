@@ -14,12 +14,12 @@ namespace {
 /// Draws with the state in force, and compares with a drawing before it.
 void expect_same_with(const std::function<void()>& set_state, const std::function<void()>& restore) {
   const Settings settings = small_scene();
-  const Image normal = Pipeline().raw(settings, BufferName::normal);
-  const Image final = Pipeline().raw(settings, BufferName::final);
+  const Image normal = Pipeline().at(settings).raw(BufferName::normal);
+  const Image final = Pipeline().at(settings).raw(BufferName::final);
   Pipeline pipeline;
   set_state();
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::normal), normal, 0.0));
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::final), final, 0.0));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::normal), normal, 0.0));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::final), final, 0.0));
   restore();
   throw_gl_errors("test");
 }
@@ -116,7 +116,7 @@ TEST(GlState, deleted_programs_are_not_left_current) {
   };
   {
     Pipeline pipeline;
-    pipeline.draw(small_scene(), BufferName::final);
+    pipeline.at(small_scene()).draw(BufferName::final);
     EXPECT_NE(current(), 0) << "a pass leaves its program";
   }
   EXPECT_EQ(current(), 0);

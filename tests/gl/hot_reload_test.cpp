@@ -15,12 +15,12 @@ using Names = std::set<std::string>;
 
 class HotReload : public testing::Test {
  protected:
-  HotReload() : before_(pipeline_.raw(small_scene(), BufferName::final)) {}
+  HotReload() : before_(pipeline_.at(small_scene()).raw(BufferName::final)) {}
 
   /// The final image, and the passes that it took since the last one.
   Image draw() {
     const auto counts = pipeline_.counts();
-    Image image = pipeline_.raw(small_scene(), BufferName::final);
+    Image image = pipeline_.at(small_scene()).raw(BufferName::final);
     ran_.clear();
     for (const auto& [name, count] : pipeline_.counts()) {
       if (count.runs != counts.at(name).runs) ran_.insert(name);
@@ -73,7 +73,7 @@ TEST_F(HotReload, broken_edit_keeps_program_and_image_and_is_told_once) {
   EXPECT_EQ(ran_, Names{});
   Settings other = small_scene();
   other.combine.threshold = 0.1F;
-  EXPECT_NO_THROW(pipeline_.raw(other, BufferName::final)) << "the last good program still draws";
+  EXPECT_NO_THROW(pipeline_.at(other).raw(BufferName::final)) << "the last good program still draws";
 
   folder_.write("combine.frag", good);
   EXPECT_NO_THROW(pipeline_.reload_changed_shaders());

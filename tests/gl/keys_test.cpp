@@ -16,6 +16,11 @@ using Names = std::set<std::string>;
 
 const Names kFloatChain{"gbuffer", "gradient", "range", "combine", "shade", "ink"};
 
+Names with_meshes(Names names) {
+  names.insert("meshes");
+  return names;
+}
+
 /// The passes that ran while the action did.
 Names passes_run_by(const Pipeline& pipeline, const std::function<void()>& action) {
   const std::map<std::string, StageCount> before = pipeline.counts();
@@ -32,9 +37,9 @@ Names passes_run_by(const Pipeline& pipeline, const std::function<void()>& actio
 Names passes_after(const std::function<void(Settings&)>& change) {
   Settings settings = small_scene();
   Pipeline pipeline;
-  pipeline.draw(settings, BufferName::final);
+  pipeline.at(settings).draw(BufferName::final);
   change(settings);
-  return passes_run_by(pipeline, [&] { pipeline.draw(settings, BufferName::final); });
+  return passes_run_by(pipeline, [&] { pipeline.at(settings).draw(BufferName::final); });
 }
 
 TEST(Keys, unchanged_settings_run_nothing) {
@@ -69,8 +74,8 @@ TEST(Keys, ink_colour_runs_ink) {
 TEST(Keys, camera_models_and_size_run_everything) {
   EXPECT_EQ(passes_after([](Settings& s) { s.camera.eye.x = 0.5F; }), kFloatChain);
   EXPECT_EQ(passes_after([](Settings& s) { s.models[0].position.x = 0.5F; }), kFloatChain);
-  EXPECT_EQ(passes_after([](Settings& s) { s.models[0].segments = 12; }), kFloatChain);
-  EXPECT_EQ(passes_after([](Settings& s) { s.models[0].visible = false; }), kFloatChain);
+  EXPECT_EQ(passes_after([](Settings& s) { s.models[0].segments = 12; }), with_meshes(kFloatChain));
+  EXPECT_EQ(passes_after([](Settings& s) { s.models[0].visible = false; }), with_meshes(kFloatChain));
   EXPECT_EQ(passes_after([](Settings& s) { s.image.width += 1; }), kFloatChain);
   EXPECT_EQ(passes_after([](Settings& s) { s.image.height += 1; }), kFloatChain);
 }
@@ -84,28 +89,29 @@ TEST(Keys, display_gains_run_no_pass) {
   EXPECT_EQ(passes_after([](Settings& s) { s.display = {2.0F, 3.0F, 4.0F}; }), Names{});
   Settings settings = small_scene();
   Pipeline pipeline;
-  const Picture before = pipeline.picture(settings, BufferName::depth);
+  const Picture before = pipeline.at(settings).picture(BufferName::depth);
   settings.display.depth_gain = 2.0F;
   Picture after;
-  EXPECT_EQ(passes_run_by(pipeline, [&] { after = pipeline.picture(settings, BufferName::depth); }), Names{});
+  EXPECT_EQ(passes_run_by(pipeline, [&] { after = pipeline.at(settings).picture(BufferName::depth); }),
+            Names{});
   EXPECT_FALSE(before == after);
 }
 
 TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
   const std::map<BufferName, Names> needs{
-      {BufferName::normal, {"gbuffer"}},
-      {BufferName::depth, {"gbuffer"}},
-      {BufferName::object_id, {"gbuffer"}},
-      {BufferName::normal_edges, {"gbuffer", "gradient"}},
-      {BufferName::depth_edges, {"gbuffer", "gradient"}},
-      {BufferName::combined_edges, {"gbuffer", "gradient", "range", "combine"}},
-      {BufferName::shaded, {"gbuffer", "shade"}},
-      {BufferName::blinn_phong, {"gbuffer", "blinn_phong"}},
-      {BufferName::final, kFloatChain}};
-  ASSERT_EQ(needs.size(), kFramebufferCount);
+      {BufferName::normal, {"meshes", "gbuffer"}},
+      {BufferName::depth, {"meshes", "gbuffer"}},
+      {BufferName::object_id, {"meshes", "gbuffer"}},
+      {BufferName::normal_edges, {"meshes", "gbuffer", "gradient"}},
+      {BufferName::depth_edges, {"meshes", "gbuffer", "gradient"}},
+      {BufferName::combined_edges, {"meshes", "gbuffer", "gradient", "range", "combine"}},
+      {BufferName::shaded, {"meshes", "gbuffer", "shade"}},
+      {BufferName::blinn_phong, {"meshes", "gbuffer", "blinn_phong"}},
+      {BufferName::final, with_meshes(kFloatChain)}};
+  ASSERT_EQ(needs.size(), framebuffers().size());
   for (const auto& [buffer, expected] : needs) {
     Pipeline pipeline;
-    EXPECT_EQ(passes_run_by(pipeline, [&, buffer = buffer] { pipeline.raw(small_scene(), buffer); }),
+    EXPECT_EQ(passes_run_by(pipeline, [&, buffer = buffer] { pipeline.at(small_scene()).raw(buffer); }),
               expected)
         << name_of(buffer);
   }
@@ -113,12 +119,12 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
 
 TEST(Keys, all_buffers_together_run_each_pass_once) {
   Pipeline pipeline;
-  Names expected = kFloatChain;
+  Names expected = with_meshes(kFloatChain);
   expected.insert("blinn_phong");
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
-                            for (size_t i = 0; i < kFramebufferCount; ++i)
-                              pipeline.raw(small_scene(), static_cast<BufferName>(i));
+                            for (const BufferName buffer : framebuffers())
+                              pipeline.at(small_scene()).raw(buffer);
                           }),
             expected);
 }
@@ -129,27 +135,28 @@ TEST(Keys, a_rewritten_mesh_file_runs_everything) {
   settings.models[0].shape = Shape::mesh;
   settings.models[0].mesh = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").string();
   Pipeline pipeline;
-  const Image before = pipeline.raw(settings, BufferName::final);
+  const Image before = pipeline.at(settings).raw(BufferName::final);
   folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
   Image after;
-  EXPECT_EQ(passes_run_by(pipeline, [&] { after = pipeline.raw(settings, BufferName::final); }), kFloatChain);
+  EXPECT_EQ(passes_run_by(pipeline, [&] { after = pipeline.at(settings).raw(BufferName::final); }),
+            with_meshes(kFloatChain));
   EXPECT_FALSE(before == after);
 }
 
 TEST(Keys, a_failed_draw_leaves_the_pipeline_usable) {
   Settings settings = small_scene();
   Pipeline pipeline;
-  const Image before = pipeline.raw(settings, BufferName::final);
+  const Image before = pipeline.at(settings).raw(BufferName::final);
   Settings broken = settings;
   broken.models[0].shape = Shape::mesh;
   broken.models[0].mesh = "/nowhere/mesh.obj";
-  EXPECT_NE(input_error_of([&] { pipeline.raw(broken, BufferName::final); }).find("/nowhere/mesh.obj"),
+  EXPECT_NE(input_error_of([&] { pipeline.at(broken).raw(BufferName::final); }).find("/nowhere/mesh.obj"),
             std::string::npos);
   broken = settings;
   broken.camera.target = broken.camera.eye;
-  EXPECT_NE(input_error_of([&] { pipeline.raw(broken, BufferName::final); }).find("camera.eye"),
+  EXPECT_NE(input_error_of([&] { pipeline.at(broken).raw(BufferName::final); }).find("camera.eye"),
             std::string::npos);
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::final), before, 0.0));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::final), before, 0.0));
 }
 
 }  // namespace

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "pipeline/passes/edges/combine.h"
+#include "pipeline/passes/edges/gradient.h"
+#include "pipeline/passes/edges/range.h"
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
 
@@ -231,7 +234,7 @@ double rendered_box_answer(Shape shape, int side_px) {
   box.rotation.y = 45.0F;
   settings.models = {box};
   Pipeline pipeline;
-  const Image g = pipeline.raw(settings, BufferName::normal_edges);
+  const Image g = pipeline.at(settings).raw(BufferName::normal_edges);
   const reference::Map range = reference::range(reference::to_map(g));
   return *std::max_element(range.samples.begin(), range.samples.end());
 }

@@ -21,14 +21,13 @@ class PaperScene : public testing::Test {
   static void SetUpTestSuite() {
     settings_ = paper_scene(257, 193);
     Pipeline pipeline;
-    for (size_t i = 0; i < kFramebufferCount; ++i)
-      buffers_[i] = pipeline.raw(settings_, static_cast<BufferName>(i));
+    for (const BufferName buffer : framebuffers()) buffers_[buffer] = pipeline.at(settings_).raw(buffer);
   }
-  static const Image& raw(BufferName buffer) { return buffers_[static_cast<size_t>(buffer)]; }
+  static const Image& raw(BufferName buffer) { return buffers_[buffer]; }
   static reference::Map map(BufferName buffer) { return reference::to_map(raw(buffer)); }
 
   static inline Settings settings_;
-  static inline std::array<Image, kFramebufferCount> buffers_;
+  static inline PerBuffer<Image> buffers_;
 };
 
 TEST_F(PaperScene, shows_all_its_objects) {

@@ -111,11 +111,6 @@ std::vector<std::string> all_keys(Settings settings) {
   return keys;
 }
 
-std::array<Key, 10> stage_keys(const PassKeys& k) {
-  return {k.meshes,  k.gbuffer, k.quantise,    k.gradient, k.range,
-          k.combine, k.shade,   k.blinn_phong, k.ink,      k.picture};
-}
-
 /// Differences of rounding do not count, nor single pixels of an edge.
 bool differ(const Image& a, const Image& b) {
   if (a.samples.size() != b.samples.size() || a.width_px != b.width_px) return true;
@@ -152,21 +147,20 @@ class ParamsLive : public testing::Test {
   Settings make_rich_scene() const;
 
   bool keys_change(const Settings& before, const Settings& after) {
-    return stage_keys(pipeline_.keys(before)) != stage_keys(pipeline_.keys(after));
+    return pipeline_.at(before).pass_keys() != pipeline_.at(after).pass_keys();
   }
   bool images_change(const Settings& before, const Settings& after) {
     for (const BufferName buffer :
          {BufferName::shaded, BufferName::final, BufferName::depth, BufferName::normal,
           BufferName::combined_edges, BufferName::depth_edges, BufferName::normal_edges,
           BufferName::blinn_phong, BufferName::object_id}) {
-      if (differ(before_.raw(before, buffer), pipeline_.raw(after, buffer))) return true;
+      if (differ(before_.at(before).raw(buffer), pipeline_.at(after).raw(buffer))) return true;
     }
     return false;
   }
   bool pictures_change(const Settings& before, const Settings& after) {
-    for (size_t i = 0; i < kFramebufferCount; ++i) {
-      const auto buffer = static_cast<BufferName>(i);
-      if (before_.picture(before, buffer) != pipeline_.picture(after, buffer)) return true;
+    for (const BufferName buffer : framebuffers()) {
+      if (before_.at(before).picture(buffer) != pipeline_.at(after).picture(buffer)) return true;
     }
     return false;
   }

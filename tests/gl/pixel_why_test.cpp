@@ -13,9 +13,9 @@ namespace {
 
 /// Every pixel of the image; returns how many are lines.
 int expect_same_as_drawn(Pipeline& pipeline, const Settings& settings) {
-  const Image depth_edges = pipeline.raw(settings, BufferName::depth_edges);
-  const Image normal_edges = pipeline.raw(settings, BufferName::normal_edges);
-  const Image drawn = pipeline.raw(settings, BufferName::combined_edges);
+  const Image depth_edges = pipeline.at(settings).raw(BufferName::depth_edges);
+  const Image normal_edges = pipeline.at(settings).raw(BufferName::normal_edges);
+  const Image drawn = pipeline.at(settings).raw(BufferName::combined_edges);
   const bool exact = settings.image.precision == Precision::float32;
   int lines = 0;
   int undecided = 0;
@@ -75,11 +75,11 @@ TEST(PixelWhyOnGpu, equals_them_in_eight_bits) {
 TEST(PixelWhyOnGpu, the_steps_of_a_gradient_are_those_of_the_maps) {
   Pipeline pipeline;
   const Settings settings = paper_scene(257, 193);
-  const Image depth_edges = pipeline.raw(settings, BufferName::depth_edges);
-  const Image normal_edges = pipeline.raw(settings, BufferName::normal_edges);
-  const Image depth = pipeline.raw(settings, BufferName::depth);
-  const Image normal = pipeline.raw(settings, BufferName::normal);
-  const Image object_id = pipeline.raw(settings, BufferName::object_id);
+  const Image depth_edges = pipeline.at(settings).raw(BufferName::depth_edges);
+  const Image normal_edges = pipeline.at(settings).raw(BufferName::normal_edges);
+  const Image depth = pipeline.at(settings).raw(BufferName::depth);
+  const Image normal = pipeline.at(settings).raw(BufferName::normal);
+  const Image object_id = pipeline.at(settings).raw(BufferName::object_id);
   int between_objects = 0;
   for (int y = 0; y < depth.height_px; y += 3) {
     for (int x = 0; x < depth.width_px; x += 3) {

@@ -31,9 +31,10 @@ struct Buffers {
 
 Buffers draw(const Settings& settings) {
   Pipeline pipeline;
-  return {pipeline.raw(settings, BufferName::normal), pipeline.raw(settings, BufferName::depth),
-          pipeline.raw(settings, BufferName::normal_edges), pipeline.raw(settings, BufferName::depth_edges),
-          pipeline.raw(settings, BufferName::combined_edges)};
+  return {pipeline.at(settings).raw(BufferName::normal), pipeline.at(settings).raw(BufferName::depth),
+          pipeline.at(settings).raw(BufferName::normal_edges),
+          pipeline.at(settings).raw(BufferName::depth_edges),
+          pipeline.at(settings).raw(BufferName::combined_edges)};
 }
 
 Settings eight_bits(Settings settings) {
@@ -68,31 +69,31 @@ TEST(Precision, eight_bits_draw_lines_that_float_does_not) {
 
 TEST(Precision, shading_does_not_depend_on_it) {
   Pipeline pipeline;
-  const Image exact = pipeline.raw(analytic_scene(), BufferName::shaded);
-  EXPECT_EQ(largest_difference(pipeline.raw(eight_bits(analytic_scene()), BufferName::shaded), exact), 0.0);
+  const Image exact = pipeline.at(analytic_scene()).raw(BufferName::shaded);
+  EXPECT_EQ(largest_difference(pipeline.at(eight_bits(analytic_scene())).raw(BufferName::shaded), exact),
+            0.0);
 }
 
 TEST(Determinism, two_pipelines_give_the_same_bits) {
   const Settings settings = paper_scene(203, 151);
   Pipeline first;
   Pipeline second;
-  second.raw(analytic_scene(), BufferName::final);  // what was drawn before leaves no trace
-  for (size_t i = 0; i < kFramebufferCount; ++i) {
-    const auto buffer = static_cast<BufferName>(i);
-    EXPECT_TRUE(first.raw(settings, buffer) == second.raw(settings, buffer)) << name_of(buffer);
-    EXPECT_TRUE(first.picture(settings, buffer) == second.picture(settings, buffer)) << name_of(buffer);
+  second.at(analytic_scene()).raw(BufferName::final);  // what was drawn before leaves no trace
+  for (const BufferName buffer : framebuffers()) {
+    EXPECT_TRUE(first.at(settings).raw(buffer) == second.at(settings).raw(buffer)) << name_of(buffer);
+    EXPECT_TRUE(first.at(settings).picture(buffer) == second.at(settings).picture(buffer)) << name_of(buffer);
   }
 }
 
 TEST(Determinism, returning_to_earlier_settings_gives_the_same_bits) {
   Settings settings = analytic_scene();
   Pipeline pipeline;
-  const Image before = pipeline.raw(settings, BufferName::final);
+  const Image before = pipeline.at(settings).raw(BufferName::final);
   Settings other = settings;
   other.camera.eye.x += 1.0F;
   other.combine.k_depth = 0.01F;
-  pipeline.raw(other, BufferName::final);
-  EXPECT_TRUE(pipeline.raw(settings, BufferName::final) == before);
+  pipeline.at(other).raw(BufferName::final);
+  EXPECT_TRUE(pipeline.at(settings).raw(BufferName::final) == before);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Extracted {
 Extracted extract(const Settings& settings) {
   Pipeline pipeline;
   Extracted result{
-      {}, pipeline.raw(settings, BufferName::depth), pipeline.raw(settings, BufferName::object_id)};
+      {}, pipeline.at(settings).raw(BufferName::depth), pipeline.at(settings).raw(BufferName::object_id)};
   std::deque<MeshTopology> topologies;
   std::deque<MeshFeatures> features;
   std::vector<SceneMesh> scene;

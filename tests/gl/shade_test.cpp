@@ -26,18 +26,18 @@ void mark(ImageOf<uint8_t>& mask, const ImageOf<uint8_t>& more) {
 
 /// From the pipeline's own G-buffer, so that only the light is compared.
 reference::Shading shade_read_back(Pipeline& pipeline, const Settings& settings, bool use_ramps) {
-  return reference::shade(settings, reference::to_map(pipeline.raw(settings, BufferName::normal)),
-                          reference::to_map(pipeline.raw(settings, BufferName::depth)),
-                          reference::to_map(pipeline.raw(settings, BufferName::object_id)), use_ramps);
+  return reference::shade(settings, reference::to_map(pipeline.at(settings).raw(BufferName::normal)),
+                          reference::to_map(pipeline.at(settings).raw(BufferName::depth)),
+                          reference::to_map(pipeline.at(settings).raw(BufferName::object_id)), use_ramps);
 }
 
 void expect_reference(const Settings& settings) {
   Pipeline pipeline;
   const reference::Shading plain = shade_read_back(pipeline, settings, false);
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::blinn_phong), plain.colour, kArithmetic));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::blinn_phong), plain.colour, kArithmetic));
   const reference::Shading ramped = shade_read_back(pipeline, settings, settings.ramp.enabled);
   EXPECT_TRUE(
-      is_near(pipeline.raw(settings, BufferName::shaded), ramped.colour, kArithmetic, &ramped.at_step));
+      is_near(pipeline.at(settings).raw(BufferName::shaded), ramped.colour, kArithmetic, &ramped.at_step));
   EXPECT_LT(share_of(ramped.at_step), 0.1);
 }
 
@@ -49,7 +49,7 @@ TEST(Shade, plain_light_equals_rays_on_floor_sphere_and_box) {
       reference::shade(settings, surface.normal, surface.depth, surface.object_id, false);
   Pipeline pipeline;
   EXPECT_TRUE(
-      is_near(pipeline.raw(settings, BufferName::blinn_phong), expected.colour, kTessellation, &outlines));
+      is_near(pipeline.at(settings).raw(BufferName::blinn_phong), expected.colour, kTessellation, &outlines));
 }
 
 TEST(Shade, ramped_light_equals_rays_away_from_steps) {
@@ -62,7 +62,7 @@ TEST(Shade, ramped_light_equals_rays_away_from_steps) {
   EXPECT_LT(share_of(leave_out), 0.25);
   Pipeline pipeline;
   EXPECT_TRUE(
-      is_near(pipeline.raw(settings, BufferName::shaded), expected.colour, kTessellation, &leave_out));
+      is_near(pipeline.at(settings).raw(BufferName::shaded), expected.colour, kTessellation, &leave_out));
 }
 
 TEST(Shade, sums_directional_and_point_lights) {
@@ -96,16 +96,16 @@ TEST(Shade, too_many_lights_or_models_are_an_input_error) {
   Settings settings = small_scene();
   for (int i = 0; i < kMaxLights; ++i) settings.lights.push_back({.name = "light" + std::to_string(i)});
   Pipeline pipeline;
-  EXPECT_NE(input_error_of([&] { pipeline.raw(settings, BufferName::shaded); }).find("65 lights"),
+  EXPECT_NE(input_error_of([&] { pipeline.at(settings).raw(BufferName::shaded); }).find("65 lights"),
             std::string::npos);
   settings.lights.pop_back();
-  EXPECT_NO_THROW(pipeline.raw(settings, BufferName::shaded));
+  EXPECT_NO_THROW(pipeline.at(settings).raw(BufferName::shaded));
 }
 
 TEST(Shade, last_of_the_lights_and_materials_that_fit_is_used) {
   Settings settings = small_scene();
   settings.ramp.enabled = false;
-  const Image expected = Pipeline().raw(settings, BufferName::shaded);
+  const Image expected = Pipeline().at(settings).raw(BufferName::shaded);
   LightParams dark{.name = "dark"};
   dark.diffuse = dark.specular = glm::vec3(0.0F);
   settings.lights.insert(settings.lights.begin(), kMaxLights - 1, dark);
@@ -113,7 +113,7 @@ TEST(Shade, last_of_the_lights_and_materials_that_fit_is_used) {
   ModelParams hidden{.visible = false, .shape = Shape::box};
   settings.models.insert(settings.models.begin(), kMaxModels - 1, hidden);
   for (int i = 0; i + 1 < kMaxModels; ++i) settings.models[i].name = "hidden" + std::to_string(i);
-  EXPECT_TRUE(is_near(Pipeline().raw(settings, BufferName::shaded), expected, 1e-6));
+  EXPECT_TRUE(is_near(Pipeline().at(settings).raw(BufferName::shaded), expected, 1e-6));
 }
 
 TEST(Shade, without_lights_shows_global_ambient_light) {
@@ -126,20 +126,20 @@ TEST(Shade, without_ramps_is_plain_blinn_phong) {
   Settings settings = analytic_scene();
   settings.ramp.enabled = false;
   Pipeline pipeline;
-  EXPECT_EQ(largest_difference(pipeline.raw(settings, BufferName::shaded),
-                               pipeline.raw(settings, BufferName::blinn_phong)),
+  EXPECT_EQ(largest_difference(pipeline.at(settings).raw(BufferName::shaded),
+                               pipeline.at(settings).raw(BufferName::blinn_phong)),
             0.0);
 }
 
 TEST(Shade, blinn_phong_does_not_depend_on_ramps) {
   Settings settings = analytic_scene();
   Pipeline pipeline;
-  const Image before = pipeline.raw(settings, BufferName::blinn_phong);
+  const Image before = pipeline.at(settings).raw(BufferName::blinn_phong);
   settings.ramp.diffuse.stops[1].colour = {1.0F, 0.0F, 0.0F};
   settings.ramp.specular.stops[1].position = 0.2F;
-  EXPECT_EQ(largest_difference(Pipeline().raw(settings, BufferName::blinn_phong), before), 0.0);
+  EXPECT_EQ(largest_difference(Pipeline().at(settings).raw(BufferName::blinn_phong), before), 0.0);
   settings.ramp.enabled = false;
-  EXPECT_EQ(largest_difference(Pipeline().raw(settings, BufferName::blinn_phong), before), 0.0);
+  EXPECT_EQ(largest_difference(Pipeline().at(settings).raw(BufferName::blinn_phong), before), 0.0);
 }
 
 TEST(Shade, linear_ramp_is_plain_blinn_phong) {
@@ -148,8 +148,8 @@ TEST(Shade, linear_ramp_is_plain_blinn_phong) {
   settings.ramp.specular = settings.ramp.diffuse;
   Pipeline pipeline;
   // A table of 1024 colours is off by half of one in each of two lights' diffuse and specular terms.
-  EXPECT_TRUE(is_near(pipeline.raw(settings, BufferName::shaded),
-                      pipeline.raw(settings, BufferName::blinn_phong), 1.5e-3));
+  EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::shaded),
+                      pipeline.at(settings).raw(BufferName::blinn_phong), 1.5e-3));
 }
 
 TEST(Shade, ramp_replaces_darkness_too) {
@@ -162,7 +162,7 @@ TEST(Shade, ramp_replaces_darkness_too) {
   settings.models[0].material.colour = glm::vec3(1.0F);
   settings.scene.ambient = glm::vec3(0.0F);
   Pipeline pipeline;
-  const Image shaded = pipeline.raw(settings, BufferName::shaded);
+  const Image shaded = pipeline.at(settings).raw(BufferName::shaded);
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(shaded.at(24, 20, c), settings.ramp.diffuse.stops[0].colour[c], 1e-6);
 }
@@ -186,15 +186,15 @@ TEST(Shade, ramp_image_is_read_at_its_nearest_pixel) {
   with_image.ramp.diffuse.image = (folder.path() / "ramp.png").string();
   write_png(with_image.ramp.diffuse.image, picture, {});
   Pipeline pipeline;
-  const Image expected = pipeline.raw(with_stops, BufferName::shaded);
-  EXPECT_TRUE(is_near(pipeline.raw(with_image, BufferName::shaded), expected, 1e-6));
+  const Image expected = pipeline.at(with_stops).raw(BufferName::shaded);
+  EXPECT_TRUE(is_near(pipeline.at(with_image).raw(BufferName::shaded), expected, 1e-6));
 }
 
 TEST(Shade, missing_ramp_image_is_an_input_error) {
   Settings settings = small_scene();
   settings.ramp.diffuse.image = "/nowhere/ramp.png";
   Pipeline pipeline;
-  EXPECT_NE(input_error_of([&] { pipeline.raw(settings, BufferName::shaded); }).find("/nowhere/ramp.png"),
+  EXPECT_NE(input_error_of([&] { pipeline.at(settings).raw(BufferName::shaded); }).find("/nowhere/ramp.png"),
             std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// A copy of the project's shaders in a temporary folder that the program reads instead, to edit them in
+// A copy of the project's shaders and scenes in a temporary folder that the program reads instead, to edit them in
 // tests.
 #pragma once
 
@@ -11,7 +11,7 @@ class ShaderFolder {
  public:
   ShaderFolder() {
     fs::copy(project_file("shaders"), folder_.path() / "shaders", fs::copy_options::recursive);
-    fs::create_directory(folder_.path() / "data");  // what makes it a project's root
+    fs::copy(project_file("data"), folder_.path() / "data", fs::copy_options::recursive);  // a project's root has it
     root_.emplace("INKBENCH_ROOT", folder_.path().string());
   }
   void write(const std::string& name, const std::string& text) { folder_.write("shaders/" + name, text); }

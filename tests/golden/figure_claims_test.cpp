@@ -39,7 +39,9 @@ class FigureClaims : public testing::Test {
     const StudySpec spec = load_spec(project_file(fmt::format("studies/figures/figure_{:02}.toml", number)));
     return cell_settings(spec, make_cell(spec, cell));
   }
-  static Image raw(const Settings& settings, BufferName buffer) { return pipeline_->raw(settings, buffer); }
+  static Image raw(const Settings& settings, BufferName buffer) {
+    return pipeline_->at(settings).raw(buffer);
+  }
   static Mask ink(const Settings& settings) { return ink_of(raw(settings, BufferName::combined_edges)); }
   static Mask pixels_of(float id) { return pixels_of_object(raw(figure(1), BufferName::object_id), id); }
   static Pipeline& pipeline() { return *pipeline_; }
@@ -107,7 +109,7 @@ std::array<double, 3> ink_along_nearest_edges(const Settings& settings, const Ma
 TEST_F(FigureClaims, farther_is_brighter) {
   const Settings settings = figure(6);
   const Image depth = raw(settings, BufferName::depth);
-  const Picture shown = pipeline().picture(settings, BufferName::depth);
+  const Picture shown = pipeline().at(settings).picture(BufferName::depth);
   // Points whose distance is known: the middles of the box's three visible sides, and its nearest corner.
   const glm::vec3 corner = nearest_corner(settings);
   std::vector<Projected> known{project(settings, on_box(settings, corner * 0.98F))};
@@ -306,7 +308,7 @@ TEST_F(FigureClaims, toon_light_has_few_levels_where_blinn_phong_has_many) {
   const Mask rabbit = pixels_of_object(raw(figure(4), BufferName::object_id), kRabbit);
   std::map<int, size_t> levels;
   for (const int number : {2, 4}) {
-    const Picture shaded = pipeline().picture(figure(number), BufferName::shaded);
+    const Picture shaded = pipeline().at(figure(number)).picture(BufferName::shaded);
     std::set<std::array<uint8_t, 3>> colours;
     for (size_t i = 0; i < rabbit.samples.size(); ++i) {
       if (rabbit.samples[i] != 0)
@@ -322,7 +324,7 @@ TEST_F(FigureClaims, toon_light_has_few_levels_where_blinn_phong_has_many) {
 
 TEST_F(FigureClaims, lighting_ramp_rises_in_steps) {
   const Settings settings = figure(3);
-  const Picture strip = pipeline().picture(settings, BufferName::shaded);
+  const Picture strip = pipeline().at(settings).picture(BufferName::shaded);
   std::vector<int> steps;
   for (int x = 0; x < strip.width_px; ++x) {
     const int value = strip.at(x, strip.height_px / 2);

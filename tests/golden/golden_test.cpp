@@ -68,7 +68,7 @@ std::vector<FigureCell> draw_figure(Pipeline& pipeline, int figure) {
     const Settings settings = cell_settings(spec, make_cell(spec, i));
     for (const BufferName buffer : spec.show) {
       cells.push_back({fmt::format("{}_{}_{}", figure_name(figure), i + 1, name_of(buffer)),
-                       pipeline.picture(settings, buffer)});
+                       pipeline.at(settings).picture(buffer)});
     }
   }
   return cells;

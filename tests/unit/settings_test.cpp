@@ -115,7 +115,7 @@ TEST(Description, field_matters_as_its_condition_says) {
   const auto is_live = [&](const std::string& key) {
     const Param param = find_param(settings, key, "");
     for (const ParamGroup& group : list_groups(settings)) {
-      if (group.owner == param.owner) return matters(group, *param.field);
+      if (group.owner == param.owner) return matters(*group.description, group.owner, *param.field);
     }
     return false;
   };

@@ -129,7 +129,7 @@ TEST(Spec, show_names_at_least_one_buffer) {
   EXPECT_EQ(parse_error("show = \"final\""),
             at(1, "show is the text \"final\"; it must be a list of buffers: [\"final\"]"));
   EXPECT_EQ(parse_error("show = [1]"), at(1, "show is a number; it must be text"));
-  EXPECT_EQ(parse("show = [\"all\"]").show.size(), kBufferNames.size());
+  EXPECT_EQ(parse("show = [\"all\"]").show.size(), all_buffers().size());
 }
 
 TEST(Spec, set_is_checked_like_a_scene) {

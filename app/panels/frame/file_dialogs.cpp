@@ -12,6 +12,7 @@
 #include "app/workbench/scene_base.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/export.h"
 #include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
@@ -104,8 +105,8 @@ void FileDialogs::draw_image_choice(Workbench& bench) {
   ImGui::SetNextItemWidth(scaled(160));
   const bool open = ImGui::BeginCombo("##buffer", std::string(name_of(buffer_)).c_str());
   bench.ui_map.mark_item("image:buffer");
-  for (size_t i = 0; open && i < kBufferCount; ++i) {
-    const auto buffer = static_cast<BufferName>(i);
+  for (const BufferName buffer : all_buffers()) {
+    if (!open) break;
     const std::string name(name_of(buffer));
     if (ImGui::Selectable(name.c_str(), buffer == buffer_)) {
       const fs::path typed(chooser_.name());
@@ -131,7 +132,7 @@ void FileDialogs::finish(Workbench& bench, fs::path path) {
     if (dialog_ == FileDialog::save_settings)
       return write_settings(bench, with_ending(path, ".toml", {".toml"}));
     path = with_ending(path, ".png", {".png", ".exr", ".svg"});
-    write_buffer(bench.pictures.source(), bench.settings(), buffer_, path);
+    write_buffer(bench.pictures.pipeline().at(bench.settings()), buffer_, path);
     image_folder_ = path.parent_path();
     bench.tell(Severity::note, fmt::format("saved {} as {}", name_of(buffer_), path.string()));
   });

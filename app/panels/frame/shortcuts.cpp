@@ -30,10 +30,10 @@ ShortcutRequests with_control(Workbench& bench) {
 }
 
 void fill_by_number(Workbench& bench) {
-  for (size_t i = 0; i < kBufferCount; ++i) {
-    const int digit = static_cast<int>((i + 1) % 10);
+  for (const BufferName buffer : all_buffers()) {
+    const int digit = buffer.info().number_key;
+    if (digit < 0) continue;
     if (!pressed(GLFW_KEY_0 + digit) && !pressed(GLFW_KEY_KP_0 + digit)) continue;
-    const auto buffer = static_cast<BufferName>(i);
     const bool again = bench.view.filled == buffer && !bench.view.comparison.active;
     bench.view.comparison.active = false;
     bench.view.selected = buffer;

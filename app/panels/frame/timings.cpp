@@ -98,8 +98,8 @@ void head(bool narrow) {
 void draw_timings(Workbench& bench) {
   const std::map<std::string, StageCount> counts = bench.pictures.pipeline().counts();
   std::vector<std::pair<std::string, PassTime>> passes;
-  for (const std::string_view name : kPassNames)
-    passes.emplace_back(name, bench.timer.time_of(std::string(name)));
+  for (const std::string& name : bench.pictures.pipeline().pass_names())
+    passes.emplace_back(name, bench.timer.time_of(name));
   for (const char* name : {"tiles", "window"}) passes.emplace_back(name, bench.window_timer.time_of(name));
   double longest = 0.0;
   for (const auto& [name, time] : passes) longest = std::max(longest, time.last_ms);

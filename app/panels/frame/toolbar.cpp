@@ -12,8 +12,7 @@ void buffers_menu(Workbench& bench) {
   if (ImGui::Button("Buffers")) ImGui::OpenPopup("buffers");
   bench.ui_map.mark_item("buffers");
   if (!ImGui::BeginPopup("buffers")) return;
-  for (size_t i = 0; i < kBufferCount; ++i) {
-    const auto buffer = static_cast<BufferName>(i);
+  for (const BufferName buffer : all_buffers()) {
     bool listed = bench.is_listed(buffer);
     if (ImGui::Checkbox(std::string(name_of(buffer)).c_str(), &listed)) bench.set_listed(buffer, listed);
     bench.ui_map.mark_item("list:" + std::string(name_of(buffer)));
@@ -35,8 +34,8 @@ void picture_combo(Workbench& bench, const char* id, ComparedPicture& which) {
   if (!open) return;
   for (int side = 0; side < (pinned ? 2 : 1); ++side) {
     if (side > 0) ImGui::Separator();
-    for (size_t i = 0; i < kBufferCount; ++i) {
-      const ComparedPicture one{static_cast<BufferName>(i), side > 0};
+    for (const BufferName buffer : all_buffers()) {
+      const ComparedPicture one{buffer, side > 0};
       if (ImGui::Selectable(text(one).c_str(), one == which)) which = one;
     }
   }

@@ -146,7 +146,7 @@ void draw_recall(const Judgement& now, const Judgement* then) {
 /// Of a level of the mesh: which part of a loss is the geometry's. While the full mesh's lines are being
 /// found the rows stay.
 void draw_ladder(const Workbench& bench, const Judgement& now, const Judgement* then) {
-  if (!bench.drawn_settings() || bench.drawn_settings()->mesh == MeshParams{}) return;
+  if (!bench.drawn() || bench.drawn()->settings().mesh == MeshParams{}) return;
   heading("Against the full mesh");
   for (const LadderMeasureInfo& info : ladder_measure_list()) {
     Row row{info.key, info.help};
@@ -166,17 +166,14 @@ void draw_others(const Judgement& now, const Judgement* then) {
 }
 
 /// Whether the pinned state shows the same models, at any level, from the same camera.
-bool is_same_view(Workbench& bench) {
-  const auto view_key = [&](Settings settings) {
-    settings.mesh = {};
-    return bench.pictures.pipeline().keys(settings).gbuffer;
+bool is_same_view(const Workbench& bench) {
+  const auto view_text = [](const Settings& settings) {
+    std::string text = group_text(settings.camera) + group_text(settings.image);
+    for (const ModelParams& model : settings.models) text += group_text(model);
+    return text;
   };
-  try {
-    const std::optional<Settings>& pinned = bench.pictures.pinned_settings();
-    return pinned && view_key(*pinned) == view_key(bench.settings());
-  } catch (const Error&) {
-    return false;  // told by the banner
-  }
+  const std::optional<Settings>& pinned = bench.pictures.pinned_settings();
+  return pinned && view_text(*pinned) == view_text(bench.settings());
 }
 
 }  // namespace

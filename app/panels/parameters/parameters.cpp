@@ -94,7 +94,7 @@ bool ParametersPanel::draw_group(Workbench& bench, const ParamGroup& group, cons
   for (const Field& field : group.description->fields) {
     RowContext row{group.prefix + "." + std::string(field.name), &field, field.get(group.owner)};
     row.baseline = baseline != nullptr ? field.get(baseline->owner) : row.value;
-    row.matters = matters(group, field);
+    row.matters = matters(*group.description, group.owner, field);
     if (!is_found(row.key, field) || (only_changed_ && row.value == row.baseline)) continue;
     rows.push_back(std::move(row));
   }

@@ -51,6 +51,13 @@ void draw_divider(const Workbench& bench, const TileRect& rect, bool hot) {
   list.AddCircleFilled({x, (rect.low.y + rect.high.y) / 2}, scaled(hot ? 7 : 6), theme().accent);
 }
 
+/// The one before it in the table; before the first, the last.
+BufferName buffer_before(BufferName buffer) {
+  const std::vector<BufferName> buffers = all_buffers();
+  const auto place = std::find(buffers.begin(), buffers.end(), buffer);
+  return place == buffers.begin() ? buffers.back() : *(place - 1);
+}
+
 }  // namespace
 
 void draw_comparison(Workbench& bench, ImVec2 low, ImVec2 room) {
@@ -91,8 +98,7 @@ void toggle_comparison(Workbench& bench) {
   }
   const bool pinned = bench.pictures.pinned_settings().has_value();
   const BufferName selected = bench.view.filled.value_or(bench.view.selected);
-  const auto before =
-      static_cast<BufferName>((static_cast<size_t>(selected) + kBufferCount - 1) % kBufferCount);
+  const BufferName before = buffer_before(selected);
   if (comparison.a == comparison.b || comparison.a.buffer != selected || comparison.a.pinned != pinned) {
     comparison.a = {selected, pinned};
     comparison.b = {pinned ? selected : before, false};

@@ -51,9 +51,10 @@ std::string range_note(const ShownPicture& shown) {
          shortest(std::round(shown.range->white * 1e4F) / 1e4F);
 }
 
-/// The key that fills the window with the buffer: 1 to 9, then 0.
-std::string number_key(size_t index) {
-  return std::to_string((index + 1) % 10);
+/// The key that fills the window with it; nothing where it has none.
+std::string number_key(BufferName buffer) {
+  const int key = buffer.info().number_key;
+  return key < 0 ? "" : std::to_string(key);
 }
 
 /// `shown`: the mouse is on the picture.
@@ -77,11 +78,10 @@ void draw_caption(Workbench& bench, BufferName buffer, const TileRect& picture, 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float top = picture.low.y - caption_height();
   const float text_y = top + scaled(3);
-  const auto index = static_cast<size_t>(buffer);
   const ShownPicture& shown = bench.pictures.shown(buffer, false);
   float right = picture.high.x;
   float x = picture.low.x + scaled(1);
-  list.AddText({x, text_y}, theme().faint, number_key(index).c_str());
+  list.AddText({x, text_y}, theme().faint, number_key(buffer).c_str());
   x += ImGui::CalcTextSize("0").x + scaled(6);
   const float button = ImGui::CalcTextSize("fit").x + scaled(10);
   const bool fitted = bench.pictures.choice(buffer).kind == PictureChoice::Kind::fitted;
@@ -117,8 +117,8 @@ void draw_tile(Workbench& bench, BufferName buffer, const TileRect& picture) {
 
 void draw_sheet(Workbench& bench, ImVec2 low, ImVec2 room) {
   std::vector<BufferName> listed;
-  for (size_t i = 0; i < kBufferCount; ++i) {
-    if (bench.is_listed(static_cast<BufferName>(i))) listed.push_back(static_cast<BufferName>(i));
+  for (const BufferName buffer : all_buffers()) {
+    if (bench.is_listed(buffer)) listed.push_back(buffer);
   }
   const ImageParams& image = bench.settings().image;
   const SheetGrid grid = best_grid(static_cast<int>(listed.size()), room,

@@ -52,18 +52,17 @@ ShownRange shown_range(Workbench& bench, BufferName buffer) {
   if (choice.kind == PictureChoice::Kind::fixed) return choice.fixed;
   const ShownPicture& shown = bench.pictures.shown(buffer, false);
   if (choice.kind == PictureChoice::Kind::fitted && shown.range) return *shown.range;
-  return Pipeline::gain_range(bench.settings(), buffer);
+  return gain_range(bench.settings().display, buffer);
 }
 
-/// Of the settings that are drawn; where that takes long, after a drag only.
-void HistogramView::refresh(Workbench& bench, const Settings& drawn, BufferName buffer) {
-  Pipeline& pipeline = bench.pictures.pipeline();
-  const Key key = KeyBuilder().add(name_of(buffer)).add(pipeline.buffer_key(drawn, buffer)).key();
+/// Of what is drawn; where that takes long, after a drag only.
+void HistogramView::refresh(Workbench& bench, const Frame& drawn, BufferName buffer) {
+  const Key key = KeyBuilder().add(name_of(buffer)).add(drawn.key(buffer)).key();
   if (key == key_) return;
   const bool same = buffer == buffer_ && !histogram_.channels.empty();
   if (same && bench.is_editing() && took_ms_ > kLongMs) return;
   const auto start = std::chrono::steady_clock::now();
-  histogram_ = histogram_of(pipeline.raw(drawn, buffer), kBins);
+  histogram_ = histogram_of(drawn.raw(buffer), kBins);
   took_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   key_ = key;
   buffer_ = buffer;
@@ -124,9 +123,9 @@ void HistogramView::draw_fields(Workbench& bench, BufferName buffer, const Shown
 }
 
 void HistogramView::draw(Workbench& bench, BufferName buffer) {
-  if (!bench.drawn_settings()) return;
+  if (!bench.drawn()) return;
   try {
-    refresh(bench, *bench.drawn_settings(), buffer);
+    refresh(bench, *bench.drawn(), buffer);
   } catch (const Error&) {
     return;  // told by the banner
   }

@@ -17,13 +17,13 @@ class HistogramView {
   struct Axis {
     float low = 0.0F, high = 1.0F;
   };
-  void refresh(Workbench& bench, const Settings& drawn, BufferName buffer);
+  void refresh(Workbench& bench, const Frame& drawn, BufferName buffer);
   void draw_fields(Workbench& bench, BufferName buffer, const ShownRange& range);
   void drag_marks(Workbench& bench, BufferName buffer, const ShownRange& range, ImVec2 low, ImVec2 high);
 
   ValueHistogram histogram_;
   Key key_;
-  BufferName buffer_{};
+  BufferName buffer_ = BufferName::final;
   double took_ms_ = 0.0;
   bool log_ = true;
   Axis axis_;

@@ -16,19 +16,6 @@
 namespace inkbench {
 namespace {
 
-constexpr std::array<std::string_view, kBufferCount> kMeanings{
-    "Surface directions in world space, as colours.",
-    "Distance along the view as a share of the far plane's.",
-    "How much the normals change around each pixel.",
-    "How much the depth changes around each pixel.",
-    "Where the terms of both edges sum up to a line.",
-    "Light through the ramps, without ink.",
-    "Ink over the shading.",
-    "Plain Blinn-Phong light, whatever the ramps.",
-    "A colour for each model.",
-    "The lines of the meshes themselves, by class: what a perfect filter would draw.",
-};
-
 std::string values_text(const Image& pixel) {
   if (pixel.channels == 1) return number_text(pixel.at(0, 0), false);
   return fmt::format("{:.3f} {:.3f} {:.3f}", pixel.at(0, 0, 0), pixel.at(0, 0, 1), pixel.at(0, 0, 2));
@@ -55,7 +42,7 @@ void draw_buffer(Workbench& bench, BufferName buffer) {
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted(name_of(buffer).data());
   ImGui::PopFont();
-  wrapped_text(kMeanings[static_cast<size_t>(buffer)], theme().faint);
+  wrapped_text(std::string(buffer.info().help), theme().faint);
   const ShownPicture& shown = bench.pictures.shown(buffer, false);
   if (shown.texture != nullptr)
     faint_text(fmt::format("{} × {} px", shown.texture->width_px(), shown.texture->height_px()));
@@ -69,11 +56,10 @@ void value_row(Workbench& bench, BufferName buffer, const HoveredPixel& pixel) {
   coloured_text(buffer == pixel.picture.buffer ? theme().text : theme().faint, name_of(buffer));
   ImGui::TableNextColumn();
   // Those that are drawn, not those that this frame's mouse made: reading must not run a pass.
-  const std::optional<Settings>& settings = bench.drawn_settings();
-  if (!settings || pixel.x >= settings->image.width || pixel.y >= settings->image.height) return;
+  const std::optional<Frame>& frame = bench.drawn();
+  if (!frame || pixel.x >= frame->settings().image.width || pixel.y >= frame->settings().image.height) return;
   try {
-    ImGui::TextUnformatted(
-        values_text(bench.pictures.pipeline().pixel(*settings, buffer, pixel.x, pixel.y)).c_str());
+    ImGui::TextUnformatted(values_text(frame->pixel(buffer, pixel.x, pixel.y)).c_str());
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }
@@ -84,9 +70,9 @@ void draw_values(Workbench& bench, const HoveredPixel& pixel) {
   ImGui::TableSetupColumn("buffer", ImGuiTableColumnFlags_WidthFixed,
                           ImGui::CalcTextSize("combined_edges").x);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-  for (size_t i = 0; i < kFramebufferCount; ++i) {
-    const auto buffer = static_cast<BufferName>(i);
-    if (bench.is_listed(buffer)) value_row(bench, buffer, pixel);
+  for (const BufferName buffer : all_buffers()) {
+    const bool has_values = buffer.info().shown_as != ShownAs::drawing;
+    if (has_values && bench.is_listed(buffer)) value_row(bench, buffer, pixel);
   }
   ImGui::EndTable();
 }

@@ -44,13 +44,13 @@ TileOverlay overlay_for(Workbench& bench, const ComparedPicture& which, const Te
 
 /// Over the picture that was just drawn. What cannot be drawn is told by the pictures themselves.
 void draw_wires(Workbench& bench, const TilePlace& place, const TileRect& rect) {
-  if (bench.problems().contains(ProblemKind::drawing) || !bench.drawn_settings()) return;
+  if (bench.problems().contains(ProblemKind::drawing) || !bench.drawn()) return;
   const ImVec4 colour = as_vec4(theme().accent);
   const WireView view{place,
                       static_cast<int>(rect.width()),
                       static_cast<int>(rect.height()),
                       {colour.x, colour.y, colour.z, 1.0F}};
-  const Texture& wires = bench.wires.paint(bench.pictures.pipeline(), *bench.drawn_settings(), view);
+  const Texture& wires = bench.wires.paint(*bench.drawn(), view);
   ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(wires.id())),
                                        rect.low, rect.high, {0, 1}, {1, 0});
 }

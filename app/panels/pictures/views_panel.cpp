@@ -103,7 +103,8 @@ void recall_view(Workbench& bench, int key) {
 
 void fit_view(Workbench& bench, FitTo what) {
   try {
-    const Bounds bounds = bounds_in_world(bench.pictures.pipeline(), bench.settings(), what == FitTo::model);
+    const Bounds bounds =
+        bounds_in_world(bench.pictures.pipeline().at(bench.settings()), what == FitTo::model);
     const ImageParams& image = bench.settings().image;
     const ViewSize size{static_cast<float>(image.width), static_cast<float>(image.height)};
     set_camera(bench, fit_to_bounds(bench.settings().camera, bounds, size),

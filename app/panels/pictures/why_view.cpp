@@ -138,12 +138,12 @@ void draw_why(Workbench& bench) {
   ImGui::Text("Why pixel %d, %d?", x, y);
   ImGui::PopFont();
   bench.ui_map.mark_item("why");
-  const std::optional<Settings>& drawn = bench.drawn_settings();
+  const std::optional<Frame>& drawn = bench.drawn();
   if (bench.problems().contains(ProblemKind::drawing) || !drawn) return;
-  if (x >= drawn->image.width || y >= drawn->image.height)
+  if (x >= drawn->settings().image.width || y >= drawn->settings().image.height)
     return;  // the larger image comes with the next frame
   try {
-    draw_probed(*drawn, bench.probe.probe(bench.pictures.pipeline(), *drawn, x, y));
+    draw_probed(drawn->settings(), bench.probe.probe(*drawn, x, y));
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }

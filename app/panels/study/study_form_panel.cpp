@@ -42,19 +42,25 @@ void show_row(Workbench& bench, StudyForm& form) {
   row_name("Show");
   const float left = ImGui::GetCursorPosX();
   std::vector<BufferName>& show = form.request.show;
-  for (size_t i = 0; i < kBufferCount; ++i) {
-    const auto buffer = static_cast<BufferName>(i);
+  const std::vector<BufferName> buffers = all_buffers();
+  for (const BufferName buffer : buffers) {
     const std::string name(name_of(buffer));
     const auto place = std::find(show.begin(), show.end(), buffer);
     const float width = ImGui::CalcTextSize(name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (i > 0) ImGui::SameLine(0, scaled(4));
-    if (i > 0 && ImGui::GetContentRegionAvail().x < width) {
+    const bool is_first = buffer == buffers.front();
+    if (!is_first) ImGui::SameLine(0, scaled(4));
+    if (!is_first && ImGui::GetContentRegionAvail().x < width) {
       ImGui::NewLine();
       ImGui::SetCursorPosX(left);
     }
     if (toggle_button(name.c_str(), place != show.end())) {
       if (place == show.end()) {
-        show.insert(std::upper_bound(show.begin(), show.end(), buffer), buffer);
+        show.push_back(buffer);
+        std::vector<BufferName> in_order;
+        std::copy_if(buffers.begin(), buffers.end(), std::back_inserter(in_order), [&](BufferName other) {
+          return std::find(show.begin(), show.end(), other) != show.end();
+        });
+        show = std::move(in_order);
       } else if (show.size() > 1) {
         show.erase(place);
       }
@@ -128,7 +134,8 @@ void place_rows(Workbench& bench, StudyForm& form, const CheckedForm& shown) {
 /// The window's own passes, for a pixel.
 double pass_seconds_per_pixel(const Workbench& bench) {
   double ms = 0;
-  for (const std::string_view name : kPassNames) ms += bench.timer.time_of(std::string(name)).mean_ms;
+  for (const std::string& name : bench.pictures.pipeline().pass_names())
+    ms += bench.timer.time_of(name).mean_ms;
   const ImageParams& image = bench.settings().image;
   return ms * 1e-3 / (static_cast<double>(image.width) * image.height);
 }

@@ -1,9 +1,26 @@
 #include "pipeline/passes/edges/combine.h"
 
+#include "pipeline/flow/describe_pass.h"
 #include "pipeline/gl/framebuffer.h"
 #include "pipeline/params/glsl_block.h"
+#include "pipeline/passes/edges/range.h"
 
 namespace inkbench {
+namespace {
+
+constexpr BufferInfo kCombinedEdges{
+    .name = "combined_edges", .help = "Where the terms of both edges sum up to a line.", .number_key = 5};
+
+}  // namespace
+
+constinit const BufferName BufferName::combined_edges{kCombinedEdges};
+
+const PassKind& CombinePass::kind() {
+  static const PassKind kKind = describe_pass<CombinePass>("combine", 2, {shows(BufferName::combined_edges)},
+                                                           group<&Settings::combine>(), value_of<RangePass>(),
+                                                           part<&Settings::image, &ImageParams::precision>());
+  return kKind;
+}
 
 CombinePass::CombinePass(const GeneratedSources& generated)
     : program_("full_screen.vert", "combine.frag",

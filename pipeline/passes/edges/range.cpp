@@ -1,8 +1,15 @@
 #include "pipeline/passes/edges/range.h"
 
+#include "pipeline/flow/describe_pass.h"
 #include "pipeline/gl/framebuffer.h"
+#include "pipeline/passes/edges/gradient.h"
 
 namespace inkbench {
+
+const PassKind& RangePass::kind() {
+  static const PassKind kKind = describe_pass<RangePass>("range", 5, {}, value_of<GradientPass>());
+  return kKind;
+}
 
 RangePass::RangePass(const GeneratedSources& generated)
     : program_("full_screen.vert", "range.frag", {.samplers = {"gradient_map"}}, generated) {}

@@ -8,10 +8,15 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "pipeline/flow/describe_pass.h"
 #include "pipeline/gl/framebuffer.h"
+#include "pipeline/passes/gbuffer/meshes.h"
 
 namespace inkbench {
 namespace {
+
+constexpr BufferInfo kObjectId{
+    .name = "object_id", .help = "A colour for each model.", .number_key = 9, .shown_as = ShownAs::object_id};
 
 /// shaders/lib/draw_block.glsl in std140.
 struct DrawBlock {
@@ -39,19 +44,14 @@ bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float a
 
 }  // namespace
 
-Bounds bounds_in_world(const DrawItem& item) {
-  const Bounds& bounds = item.mesh->bounds();
-  glm::vec3 low(std::numeric_limits<float>::max());
-  glm::vec3 high(std::numeric_limits<float>::lowest());
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 model((corner & 1) != 0 ? bounds.high.x : bounds.low.x,
-                          (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
-                          (corner & 4) != 0 ? bounds.high.z : bounds.low.z);
-    const glm::vec3 world(item.model_to_world * glm::vec4(model, 1.0F));
-    low = glm::min(low, world);
-    high = glm::max(high, world);
-  }
-  return {low, high};
+constinit const BufferName BufferName::object_id{kObjectId};
+
+const PassKind& GBufferPass::kind() {
+  static const PassKind kKind = describe_pass<GBufferPass>(
+      "gbuffer", 10, {shows(BufferName::object_id, &GBuffer::object_id)}, group<&Settings::camera>(),
+      DrawItemsInput{}, part<&Settings::image, &ImageParams::width>(),
+      part<&Settings::image, &ImageParams::height>());
+  return kKind;
 }
 
 GBufferPass::GBufferPass(const GeneratedSources& generated)

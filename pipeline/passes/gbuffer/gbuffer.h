@@ -4,8 +4,9 @@
 #include <glm/mat4x4.hpp>
 #include <span>
 
+#include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
-#include "pipeline/passes/gbuffer/gpu_mesh.h"
+#include "pipeline/passes/gbuffer/draw_item.h"
 #include "pipeline/settings/camera.h"
 
 namespace inkbench {
@@ -17,20 +18,13 @@ struct GBuffer {
   Texture object_id;         ///< r32f: 0 where no model is.
 };
 
-/// One model to draw.
-struct DrawItem {
-  const GpuMesh* mesh = nullptr;
-  glm::mat4 model_to_world{1.0F};
-  int object_id = 0;
-};
-
-/// The box in world space around the box of the item's mesh.
-Bounds bounds_in_world(const DrawItem& item);
-
 class GBufferPass {
  public:
+  using Value = GBuffer;
+  static const PassKind& kind();
   explicit GBufferPass(const GeneratedSources& generated);
   GBuffer run(const CameraParams& camera, std::span<const DrawItem> items, int width_px, int height_px) const;
+  const Program& program() const { return program_; }
   Program& program() { return program_; }
 
  private:

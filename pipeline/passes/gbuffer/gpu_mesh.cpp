@@ -137,7 +137,7 @@ std::shared_ptr<const Mesh> MeshStore::make_mesh(const ModelParams& model, const
   return ladder_->level(level);
 }
 
-const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level) {
+std::shared_ptr<const GpuMesh> MeshStore::get(const ModelParams& model, const MeshParams& level) {
   const Key key = identity(model, level);
   const auto found = meshes_.find(key);
   if (found != meshes_.end()) return found->second.gpu;
@@ -148,9 +148,9 @@ const GpuMesh& MeshStore::get(const ModelParams& model, const MeshParams& level)
   return hold(key, model, drawn, placement);
 }
 
-const GpuMesh& MeshStore::hold(const Key& key, const ModelParams& model, std::shared_ptr<const Mesh> mesh,
-                               const Bounds& placement) {
-  GpuMesh gpu("mesh of " + model.name, *mesh, placement);
+std::shared_ptr<const GpuMesh> MeshStore::hold(const Key& key, const ModelParams& model,
+                                               std::shared_ptr<const Mesh> mesh, const Bounds& placement) {
+  auto gpu = std::make_shared<const GpuMesh>("mesh of " + model.name, *mesh, placement);
   return meshes_.emplace(key, Held{std::move(mesh), std::move(gpu)}).first->second.gpu;
 }
 

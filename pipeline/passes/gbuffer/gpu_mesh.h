@@ -42,7 +42,7 @@ class MeshStore {
   Key identity(const ModelParams& model, const MeshParams& level);
   /// Loads and uploads the first time. Errors (input): as `load_mesh_file`; its notes go to the log. The full
   /// mesh and the record of its collapses stay, so that another level of it takes milliseconds.
-  const GpuMesh& get(const ModelParams& model, const MeshParams& level);
+  std::shared_ptr<const GpuMesh> get(const ModelParams& model, const MeshParams& level);
   /// Whether `get` would give it; reads the mesh where it is not in memory.
   bool can_get(const ModelParams& model, const MeshParams& level);
   /// Decides the full mesh of the model, whatever its level.
@@ -72,11 +72,11 @@ class MeshStore {
   };
   struct Held {
     std::shared_ptr<const Mesh> mesh;
-    GpuMesh gpu;
+    std::shared_ptr<const GpuMesh> gpu;
   };
   Key content_key(const std::string& path);
-  const GpuMesh& hold(const Key& key, const ModelParams& model, std::shared_ptr<const Mesh> mesh,
-                      const Bounds& placement);
+  std::shared_ptr<const GpuMesh> hold(const Key& key, const ModelParams& model,
+                                      std::shared_ptr<const Mesh> mesh, const Bounds& placement);
   std::shared_ptr<const Mesh> make_mesh(const ModelParams& model, const MeshParams& level);
 
   std::map<Key, Held> meshes_;

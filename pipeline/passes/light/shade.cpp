@@ -8,11 +8,49 @@
 #include <glm/trigonometric.hpp>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
+#include "pipeline/flow/describe_pass.h"
 #include "pipeline/gl/framebuffer.h"
 #include "pipeline/params/glsl_block.h"
 
 namespace inkbench {
 namespace {
+
+constexpr BufferInfo kShaded{.name = "shaded",
+                             .help = "Light through the ramps, without ink.",
+                             .number_key = 6,
+                             .channels = 3,
+                             .shown_as = ShownAs::colour};
+constexpr BufferInfo kBlinnPhong{.name = "blinn_phong",
+                                 .help = "Plain Blinn-Phong light, whatever the ramps.",
+                                 .number_key = 8,
+                                 .channels = 3,
+                                 .shown_as = ShownAs::colour};
+
+/// All that light depends on besides the G-buffer.
+struct ShadeInput {
+  bool with_ramps = true;
+
+  ShadeInput bind(Flow&) const { return *this; }
+  ShadeParams get(const FrameState& frame) const {
+    const Settings& settings = frame.settings;
+    ShadeParams params{settings.camera, settings.scene, settings.lights, {}, settings.ramp};
+    for (const ModelParams& model : settings.models) params.materials.push_back(model.material);
+    params.ramp.enabled = params.ramp.enabled && with_ramps;
+    return params;
+  }
+  /// The camera is in the G-buffer's key.
+  void fold(KeyBuilder& key, const FrameState& frame) const {
+    const Settings& settings = frame.settings;
+    key.add(group_text(settings.scene));
+    for (const LightParams& light : settings.lights) key.add(group_text(light));
+    for (const ModelParams& model : settings.models) key.add(group_text(model.material));
+    if (!with_ramps || !settings.ramp.enabled) return;
+    key.add(group_text(settings.ramp));
+    for (const Ramp& ramp : {settings.ramp.diffuse, settings.ramp.specular})
+      key.add(ramp.image.empty() ? "" : read_file(ramp.image));
+  }
+};
 
 /// view_block of shaders/shade.frag in std140.
 struct ViewBlock {
@@ -80,6 +118,22 @@ Texture make_ramp_texture(const RampParams& ramp) {
 }
 
 }  // namespace
+
+constinit const BufferName BufferName::shaded{kShaded};
+constinit const BufferName BufferName::blinn_phong{kBlinnPhong};
+
+const PassKind& ShadePass::kind() {
+  static const PassKind kKind = describe_pass<ShadePass>(
+      "shade", 8, {shows(BufferName::shaded)}, ShadeInput{.with_ramps = true}, value_of<GBufferPass>());
+  return kKind;
+}
+
+const PassKind& BlinnPhong::kind() {
+  static const PassKind kKind =
+      describe_pass<BlinnPhong>("blinn_phong", 8, {shows(BufferName::blinn_phong)},
+                                ShadeInput{.with_ramps = false}, value_of<GBufferPass>());
+  return kKind;
+}
 
 ShadePass::ShadePass(const GeneratedSources& generated)
     : program_("full_screen.vert", "shade.frag",

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/settings/light.h"
@@ -10,11 +11,6 @@
 #include "pipeline/settings/scene_params.h"
 
 namespace inkbench {
-
-/// Lights and materials lie in uniform blocks of fixed size: the software renderer reads those several times
-/// faster than storage buffers, and every driver has room for these.
-constexpr int kMaxLights = 64;
-constexpr int kMaxModels = 256;
 
 /// All that light depends on besides the G-buffer.
 struct ShadeParams {
@@ -27,14 +23,24 @@ struct ShadeParams {
 
 class ShadePass {
  public:
+  using Value = Texture;
+  static const PassKind& kind();
   explicit ShadePass(const GeneratedSources& generated);
   /// Out: rgba32f, the background's colour where no model is. Errors (input): a ramp's image cannot be read;
   /// more than `kMaxLights` lights or `kMaxModels` materials.
   Texture run(const ShadeParams& params, const GBuffer& gbuffer) const;
+  const Program& program() const { return program_; }
   Program& program() { return program_; }
 
  private:
   Program program_;
+};
+
+/// Plain Blinn-Phong light by the same pass.
+struct BlinnPhong {
+  using Value = Texture;
+  using Pass = ShadePass;
+  static const PassKind& kind();
 };
 
 }  // namespace inkbench

@@ -20,6 +20,7 @@ class PicturePass {
   explicit PicturePass(const GeneratedSources& generated);
   /// Out: rgba8; (value - low) * gain, clamped to 0 to 1.
   Texture run(const PictureView& view, const Texture& buffer) const;
+  const Program& program() const { return program_; }
   Program& program() { return program_; }
 
  private:

@@ -1,5 +1,5 @@
 // Buffers by name.
-#include "pipeline/flow/buffer_names.h"
+#include "pipeline/buffers.h"
 
 #include <gmock/gmock.h>
 
@@ -13,23 +13,22 @@ namespace {
 using ::testing::ElementsAre;
 
 TEST(BufferNames, every_buffer_is_found_by_its_own_name) {
-  for (size_t i = 0; i < kBufferNames.size(); ++i) {
-    const auto buffer = static_cast<BufferName>(i);
+  std::set<std::string_view> names;
+  for (const BufferName buffer : all_buffers()) {
     EXPECT_THAT(parse_buffers({std::string(name_of(buffer))}, "here"), ElementsAre(buffer));
+    names.insert(name_of(buffer));
   }
-  EXPECT_EQ(std::set<std::string_view>(kBufferNames.begin(), kBufferNames.end()).size(), kBufferNames.size());
+  EXPECT_EQ(names.size(), all_buffers().size());
 }
 
-TEST(BufferNames, the_enum_and_the_names_agree) {
-  EXPECT_EQ(name_of(BufferName::normal), "normal");
-  EXPECT_EQ(name_of(BufferName::depth), "depth");
-  EXPECT_EQ(name_of(BufferName::normal_edges), "normal_edges");
-  EXPECT_EQ(name_of(BufferName::depth_edges), "depth_edges");
-  EXPECT_EQ(name_of(BufferName::combined_edges), "combined_edges");
-  EXPECT_EQ(name_of(BufferName::shaded), "shaded");
-  EXPECT_EQ(name_of(BufferName::final), "final");
-  EXPECT_EQ(name_of(BufferName::blinn_phong), "blinn_phong");
-  EXPECT_EQ(name_of(BufferName::object_id), "object_id");
+TEST(BufferNames, the_table_has_them_by_their_number_keys) {
+  EXPECT_EQ(
+      buffer_list(),
+      "normal, depth, normal_edges, depth_edges, combined_edges, shaded, final, blinn_phong, object_id, "
+      "reference");
+  std::string keys;
+  for (const BufferName buffer : all_buffers()) keys += std::to_string(buffer.info().number_key);
+  EXPECT_EQ(keys, "1234567890");
 }
 
 TEST(BufferNames, the_order_given_is_kept_and_each_comes_once) {
@@ -38,9 +37,9 @@ TEST(BufferNames, the_order_given_is_kept_and_each_comes_once) {
 }
 
 TEST(BufferNames, all_means_each_once) {
-  EXPECT_EQ(parse_buffers({"all"}, "here").size(), kBufferNames.size());
+  EXPECT_EQ(parse_buffers({"all"}, "here").size(), all_buffers().size());
   const std::vector<BufferName> final_first = parse_buffers({"final", "all"}, "here");
-  EXPECT_EQ(final_first.size(), kBufferNames.size());
+  EXPECT_EQ(final_first.size(), all_buffers().size());
   EXPECT_EQ(final_first.front(), BufferName::final);
 }
 

@@ -1,0 +1,114 @@
+// What a pass takes: parameter groups, single parameters, other passes' values, the frame before. Each says
+// both what it adds to the pass's key and what the pass is run with, so that these cannot differ. An input of
+// another kind is a struct with `bind`, `fold` and `get` like those here.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "pipeline/flow/flow.h"
+
+namespace inkbench {
+
+/// One of the settings' groups: `group<&Settings::combine>()`. Run with: const CombineParams&.
+template <auto kGroup>
+struct GroupInput {
+  GroupInput bind(Flow&) const { return *this; }
+  void fold(KeyBuilder& key, const FrameState& frame) const { key.add(group_text(frame.settings.*kGroup)); }
+  const auto& get(const FrameState& frame) const { return frame.settings.*kGroup; }
+};
+template <auto kGroup>
+constexpr GroupInput<kGroup> group() {
+  return {};
+}
+
+/// A group that the pass brings. Run with: const Params&.
+template <class Params>
+struct BroughtInput {
+  BroughtInput bind(Flow&) const { return *this; }
+  void fold(KeyBuilder& key, const FrameState& frame) const { key.add(group_text(get(frame))); }
+  const Params& get(const FrameState& frame) const { return frame.settings.brought.template get<Params>(); }
+};
+template <class Params>
+constexpr BroughtInput<Params> brought() {
+  return {};
+}
+
+/// One parameter of a group: `part<&Settings::image, &ImageParams::precision>()`. Run with: its value.
+template <auto kGroup, auto kMember>
+struct PartInput {
+  PartInput bind(Flow&) const { return *this; }
+  void fold(KeyBuilder& key, const FrameState& frame) const {
+    const auto value = get(frame);
+    key.add_bytes({reinterpret_cast<const uint8_t*>(&value), sizeof value});
+  }
+  auto get(const FrameState& frame) const { return frame.settings.*kGroup.*kMember; }
+};
+template <auto kGroup, auto kMember>
+constexpr PartInput<kGroup, kMember> part() {
+  return {};
+}
+
+/// Another pass's value. Run with: const Tag::Value&.
+template <class Tag>
+struct BoundValue {
+  Node<typename Tag::Value>* node = nullptr;
+  void fold(KeyBuilder& key, const FrameState& frame) const { key.add(frame.keys[node->index()]); }
+  std::shared_ptr<const typename Tag::Value> get(const FrameState& frame) const { return node->get(frame); }
+};
+template <class Tag>
+struct ValueInput {
+  BoundValue<Tag> bind(Flow& flow) const { return {&flow.node<Tag>()}; }
+};
+template <class Tag>
+constexpr ValueInput<Tag> value_of() {
+  return {};
+}
+
+/// A pass's value in the frame before, its own among them: null where there is none. Run with: const
+/// Tag::Value*.
+template <class Tag>
+struct PastValue {
+  std::shared_ptr<const typename Tag::Value> value;
+};
+template <class Tag>
+struct BoundPastValue {
+  static constexpr bool kLooksBack = true;
+  Flow* flow = nullptr;
+  size_t index = 0;
+  void fold(KeyBuilder& key, const FrameState& frame) const {
+    key.add(frame.previous ? frame.previous->keys[index].text() : "no frame before");
+  }
+  PastValue<Tag> get(const FrameState& frame) const {
+    Node<typename Tag::Value>& node = flow->node<Tag>();
+    node.keep_frames(2);
+    return {frame.previous ? node.get(*frame.previous) : nullptr};
+  }
+};
+template <class Tag>
+struct PastInput {
+  /// A pass that is not there yet is the one that is being made.
+  BoundPastValue<Tag> bind(Flow& flow) const {
+    return {&flow, flow.has<Tag>() ? flow.node<Tag>().index() : flow.nodes().size()};
+  }
+};
+template <class Tag>
+constexpr PastInput<Tag> past_value_of() {
+  return {};
+}
+
+/// What a pass is run with for what an input gives.
+template <class T>
+const T& as_argument(const std::shared_ptr<const T>& value) {
+  return *value;
+}
+template <class Tag>
+const typename Tag::Value* as_argument(const PastValue<Tag>& past) {
+  return past.value.get();
+}
+template <class T>
+const T& as_argument(const T& value) {
+  return value;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,20 @@
+// A model where it stands: what the G-buffer and the wireframe draw.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include "pipeline/passes/gbuffer/gpu_mesh.h"
+
+namespace inkbench {
+
+/// One model to draw.
+struct DrawItem {
+  const GpuMesh* mesh = nullptr;
+  glm::mat4 model_to_world{1.0F};
+  int object_id = 0;
+};
+
+/// The box in world space around the box of the item's mesh.
+Bounds bounds_in_world(const DrawItem& item);
+
+}  // namespace inkbench

@@ -1,0 +1,69 @@
+#include "pipeline/passes/lines/reference.h"
+
+#include "pipeline/flow/describe_pass.h"
+#include "pipeline/lines/drawing.h"
+#include "pipeline/passes/gbuffer/gbuffer.h"
+#include "pipeline/passes/gbuffer/meshes.h"
+
+namespace inkbench {
+namespace {
+
+constexpr BufferInfo kReference{
+    .name = "reference",
+    .help = "The lines of the meshes themselves, by class: what a perfect filter would draw.",
+    .number_key = 0,
+    .shown_as = ShownAs::drawing};
+
+/// Features depend on the mesh and on how it is stretched.
+Key full_key(MeshStore& meshes, const ModelParams& model) {
+  return KeyBuilder().add(meshes.full_identity(model)).add(to_text(Value(model.scale))).key();
+}
+
+/// The G-buffer decides all lines; its float depth is read whatever `image.precision` says, since an
+/// eight-bit step is larger than the visibility test's slack.
+struct BoundLineRequest {
+  Flow* flow = nullptr;
+  BoundValue<GBufferPass> gbuffer;
+
+  void fold(KeyBuilder& key, const FrameState& frame) const { gbuffer.fold(key, frame); }
+  LineRequest get(const FrameState& frame) const { return ReferencePass::request(*flow, frame); }
+};
+struct LineRequestInput {
+  BoundLineRequest bind(Flow& flow) const { return {&flow, value_of<GBufferPass>().bind(flow)}; }
+};
+
+}  // namespace
+
+constinit const BufferName BufferName::reference{kReference};
+
+const PassKind& ReferencePass::kind() {
+  static const PassKind kKind = describe_pass<ReferencePass>(
+      "reference", 60, {shows_drawing(BufferName::reference, draw_reference, class_image)},
+      LineRequestInput{});
+  return kKind;
+}
+
+LineRequest ReferencePass::request(Flow& flow, const FrameState& frame) {
+  const std::shared_ptr<const GBuffer> gbuffer = flow.node<GBufferPass>().get(frame);
+  const Settings& settings = frame.settings;
+  MeshStore& meshes = flow.shared<MeshStore>();
+  LineRequest request{.key = frame.keys[flow.node<ReferencePass>().index()], .camera = settings.camera};
+  request.depth = gbuffer->normal_and_depth.read(3, 1);
+  request.object_id = gbuffer->object_id.read(0, 1);
+  for (size_t i = 0; i < settings.models.size(); ++i) {
+    const ModelParams& model = settings.models[i];
+    if (!model.visible) continue;
+    const MeshParams level = level_of(settings, i);
+    const bool is_full = level == MeshParams{};
+    std::shared_ptr<const Mesh> drawn = meshes.drawn_mesh(model, level);
+    request.models.push_back({.params = model,
+                              .object_id = static_cast<int>(i) + 1,
+                              .full = is_full ? drawn : meshes.full_mesh(model),
+                              .drawn = drawn,
+                              .full_key = full_key(meshes, model),
+                              .drawn_key = meshes.identity(model, level)});
+  }
+  return request;
+}
+
+}  // namespace inkbench
