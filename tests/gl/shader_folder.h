@@ -1,4 +1,4 @@
-// A copy of the project's shaders and scenes in a temporary folder that the program reads instead, to edit them in
+// A copy of the project's files in a temporary folder that the program reads instead, to edit them in
 // tests.
 #pragma once
 
@@ -11,7 +11,10 @@ class ShaderFolder {
  public:
   ShaderFolder() {
     fs::copy(project_file("shaders"), folder_.path() / "shaders", fs::copy_options::recursive);
-    fs::copy(project_file("data"), folder_.path() / "data", fs::copy_options::recursive);  // a project's root has it
+    fs::create_directory(folder_.path() / "studies");
+    fs::copy(project_file("data"), folder_.path() / "data",
+             fs::copy_options::recursive);  // a project's root has it
+    fs::copy(project_file("studies/report"), folder_.path() / "studies/report", fs::copy_options::recursive);
     root_.emplace("INKBENCH_ROOT", folder_.path().string());
   }
   void write(const std::string& name, const std::string& text) { folder_.write("shaders/" + name, text); }
