@@ -53,13 +53,17 @@ bool is_abandoned(const std::string& name) {
   return process == getpid() || (kill(process, 0) != 0 && errno == ESRCH);
 }
 
+/// Empty where the system does not say.
+fs::path executable_folder() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
 std::vector<fs::path> project_roots() {
   std::vector<fs::path> roots;
   if (const char* root = std::getenv("INKBENCH_ROOT"); root != nullptr && *root != '\0')
     roots.emplace_back(root);
-  std::error_code error;
-  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
-  if (!error) roots.push_back(executable.parent_path());
+  if (const fs::path folder = executable_folder(); !folder.empty()) roots.push_back(folder);
   roots.emplace_back(INKBENCH_SOURCE_DIR);
   return roots;
 }
@@ -156,6 +160,18 @@ fs::path project_root() {
 
 fs::path project_file(std::string_view relative) {
   return project_root() / relative;
+}
+
+fs::path module_file(std::string_view name) {
+  const fs::path beside = executable_folder();
+  std::string looked_in;
+  for (const fs::path& folder : {beside, beside.parent_path(), beside.parent_path() / "lib/inkbench",
+                                 fs::path(INKBENCH_MODULE_FOLDER)}) {
+    if (folder.is_absolute() && fs::exists(folder / name)) return folder / name;
+    looked_in += " " + folder.string();
+  }
+  throw work_error(std::string(name), "a part of inkbench, was not found in:" + looked_in,
+                   "build or install inkbench again, and keep this file beside the executable");
 }
 
 }  // namespace inkbench

@@ -55,7 +55,12 @@ void make_folder(const fs::path& path);
 /// for.
 fs::path project_file(std::string_view relative);
 
-/// The first folder of that search that holds the project's files.
+/// A library that is opened when it is first needed, by its file's name: looked for beside the executable, in
+/// the folder above it (a build folder's tests) and where it is installed. Errors (work): where it was looked
+/// for.
+fs::path module_file(std::string_view name);
+
+/// The first folder of `project_file`'s search that holds the project's files.
 fs::path project_root();
 
 }  // namespace inkbench

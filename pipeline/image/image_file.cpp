@@ -1,7 +1,5 @@
 #include "pipeline/image/image_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/image/image_codecs.h"
 #include "pipeline/image/image_content.h"
 #include "pipeline/image/png_chunks.h"
 
@@ -21,36 +20,8 @@ namespace inkbench {
 namespace {
 
 namespace fs = std::filesystem;
-using OIIO::ImageInput;
-using OIIO::ImageOutput;
-using OIIO::ImageSpec;
-using OIIO::TypeDesc;
-
-// Measured on three cartoon pictures of 1024 x 1024 x 3 (flat, smooth, normal-mapped), one core: level 5
-// without row filters takes 9, 13, 23 ms and packs 102:1, 28:1, 14:1. Level 6 costs up to 33 % more time for
-// 4 to 22 % fewer bytes. Row filters hide the repeats that flat colour has: the default (level 6, all
-// filters) takes 22, 72, 98 ms and packs smooth shading worse, 20:1.
-constexpr int kPngLevel = 5;
-constexpr int kPngFilterNone = 8;  // libpng's PNG_FILTER_NONE
 
 constexpr size_t kBufferBytes = size_t{1} << 18;
-
-/// Keeps OpenImageIO and OpenEXR on the calling thread; else each starts a pool of a thread per core, and our
-/// workers, one picture each, would fight over them.
-void use_calling_thread_only() {
-  static const bool done = [] {
-    OIIO::attribute("threads", 1);
-    OIIO::attribute("exr_threads", -1);
-    return true;
-  }();
-  static_cast<void>(done);
-}
-
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
-}
 
 std::span<const uint8_t> as_bytes(std::string_view text) {
   return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
@@ -58,25 +29,20 @@ std::span<const uint8_t> as_bytes(std::string_view text) {
 
 /// Takes a PNG as libpng writes it, sets our text chunks behind its head and hands all to a pending file.
 /// Errors are kept for `check`, since none may pass through libpng's C frames.
-class PngFile final : public OIIO::Filesystem::IOProxy {
+class PngFile {
  public:
-  PngFile(const fs::path& path, const ImageText& text) : IOProxy(path.string(), Write), file_(path) {
+  PngFile(const fs::path& path, const ImageText& text) : file_(path) {
     for (const auto& [name, value] : text) chunks_ += png_text_chunk(name, value);
   }
+  PngFile(const PngFile&) = delete;
+  PngFile& operator=(const PngFile&) = delete;
 
-  const char* proxytype() const override { return "inkbench"; }
-  using IOProxy::write;  // The span overload, which this class does not replace.
-  size_t write(const void* data, size_t size) override {
-    const std::string_view bytes(static_cast<const char*>(data), size);
-    const size_t before_text = position_ < kPngHeadBytes ? std::min(size, kPngHeadBytes - position_) : 0;
-    position_ += size;
-    buffer_ += bytes.substr(0, before_text);
-    if (before_text > 0 && position_ >= kPngHeadBytes) buffer_ += chunks_;
-    buffer_ += bytes.substr(before_text);
-    if (buffer_.size() >= kBufferBytes) flush_buffer();
-    return failure_ ? 0 : size;
+  /// Holds this file's address.
+  ByteSink sink() {
+    return {this, [](void* owner, std::string_view bytes) noexcept {
+              return static_cast<PngFile*>(owner)->take(bytes);
+            }};
   }
-  int64_t tell() override { return static_cast<int64_t>(position_); }
 
   void check() const {
     if (failure_) std::rethrow_exception(failure_);
@@ -88,6 +54,20 @@ class PngFile final : public OIIO::Filesystem::IOProxy {
   }
 
  private:
+  bool take(std::string_view bytes) noexcept {
+    try {
+      const size_t before_text =
+          position_ < kPngHeadBytes ? std::min(bytes.size(), kPngHeadBytes - position_) : 0;
+      position_ += bytes.size();
+      buffer_ += bytes.substr(0, before_text);
+      if (before_text > 0 && position_ >= kPngHeadBytes) buffer_ += chunks_;
+      buffer_ += bytes.substr(before_text);
+      if (buffer_.size() >= kBufferBytes) flush_buffer();
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
+    return !failure_;
+  }
   void flush_buffer() {
     try {
       if (!failure_) file_.append(as_bytes(buffer_));
@@ -104,24 +84,16 @@ class PngFile final : public OIIO::Filesystem::IOProxy {
   std::exception_ptr failure_;
 };
 
-void open_output(ImageOutput* output, const fs::path& path, ImageSpec spec,
-                 OIIO::Filesystem::IOProxy* proxy) {
-  void* pointer = proxy;
-  spec.attribute("oiio:ioproxy", TypeDesc::PTR, &pointer);
-  if (output == nullptr || !output->open(path.string(), spec)) {
-    throw work_error(path.string(), "cannot be encoded",
-                     one_line(output ? output->geterror() : OIIO::geterror()));
-  }
+Error encoding_error(const std::string& name, const std::string& problem) {
+  return work_error(name, "cannot be encoded", problem);
 }
 
 /// A decoder and the file's bytes, which it reads from.
 struct OpenImage {
-  std::string content;
-  OIIO::Filesystem::IOMemReader reader;
-  std::unique_ptr<ImageInput> input;
+  std::unique_ptr<const std::string> content;
+  std::unique_ptr<ImageDecoder, void (*)(ImageDecoder*)> decoder{nullptr, image_codecs().close};
 
-  explicit OpenImage(std::string bytes) : content(std::move(bytes)), reader(content.data(), content.size()) {}
-  const ImageSpec& spec() const { return input->spec(); }
+  ImageShape shape() const { return image_codecs().shape(*decoder); }
 };
 
 Error size_error(const fs::path& path, const std::string& size) {
@@ -129,20 +101,20 @@ Error size_error(const fs::path& path, const std::string& size) {
                      fmt::format("at most 2^30 are read, and {} px a side", kMaxSidePx));
 }
 
-void check_size(const fs::path& path, std::string_view content, const ImageSpec& spec) {
-  const uint64_t pixels = static_cast<uint64_t>(spec.width) * spec.height;
-  const std::string size = fmt::format("{} x {}", spec.width, spec.height);
-  const bool sides_are_sound = spec.width > 0 && spec.height > 0 && spec.depth <= 1 &&
-                               spec.width <= kMaxSidePx && spec.height <= kMaxSidePx;
+void check_size(const fs::path& path, std::string_view content, const ImageShape& shape) {
+  const uint64_t pixels = static_cast<uint64_t>(shape.width_px) * shape.height_px;
+  const std::string size = fmt::format("{} x {}", shape.width_px, shape.height_px);
+  const bool sides_are_sound = shape.width_px > 0 && shape.height_px > 0 && shape.depth <= 1 &&
+                               shape.width_px <= kMaxSidePx && shape.height_px <= kMaxSidePx;
   if (!sides_are_sound || pixels > kMaxSamples) {
-    throw size_error(path, fmt::format("{} x {}", size, spec.nchannels));
+    throw size_error(path, fmt::format("{} x {}", size, shape.channels));
   }
-  if (spec.nchannels < 1 || spec.nchannels > 4) {
-    throw input_error(path.string(), "has " + std::to_string(spec.nchannels) + " channels",
+  if (shape.channels < 1 || shape.channels > 4) {
+    throw input_error(path.string(), "has " + std::to_string(shape.channels) + " channels",
                       "1 to 4 are read");
   }
-  if (pixels * spec.nchannels > kMaxSamples)
-    throw size_error(path, fmt::format("{} x {}", size, spec.nchannels));
+  if (pixels * shape.channels > kMaxSamples)
+    throw size_error(path, fmt::format("{} x {}", size, shape.channels));
   if (!can_hold(image_format(content), content.size(), pixels)) {
     throw input_error(path.string(), "is damaged or cut off",
                       fmt::format("{} px do not fit into its {} bytes", size, content.size()));
@@ -162,38 +134,33 @@ void check_content(const fs::path& path, std::string_view content) {
   if (image_format(content) == "openexr" && !exr_size_is_sound(content)) throw size_error(path, "too many");
 }
 
-std::unique_ptr<OpenImage> open_image(const fs::path& path) {
-  use_calling_thread_only();
-  auto image = std::make_unique<OpenImage>(read_file(path));
-  check_content(path, image->content);
-  ImageSpec config, spec;
-  config.attribute("oiio:UnassociatedAlpha", 1);
-  image->input = ImageInput::create(std::string(image_format(image->content)));
-  image->input->set_ioproxy(&image->reader);
-  bool is_open = false;
-  try {
-    is_open = image->input->open(path.string(), spec, config);
-  } catch (const std::exception&) {
-    // Room for what the header asks could not be made.
-  }
-  if (!is_open)
-    throw input_error(path.string(), "is not an image that can be read", one_line(image->input->geterror()));
-  check_size(path, image->content, spec);
+OpenImage open_image(const fs::path& path) {
+  std::string content = read_file(path);
+  check_content(path, content);
+  // Whatever moves, the decoder's view of the bytes must stay.
+  OpenImage image{std::make_unique<const std::string>(std::move(content))};
+  std::string problem;
+  image.decoder.reset(
+      image_codecs().open(image_format(*image.content), *image.content, path.string(), problem));
+  if (!image.decoder) throw input_error(path.string(), "is not an image that can be read", problem);
+  check_size(path, *image.content, image.shape());
   return image;
 }
 
 template <class Sample>
-ImageOf<Sample> decode(const fs::path& path, OpenImage& image, TypeDesc type) {
-  const ImageSpec spec = image.spec();
+ImageOf<Sample> decode(const fs::path& path, const OpenImage& image, SampleType type) {
+  const ImageShape shape = image.shape();
+  std::string problem;
   try {
-    ImageOf<Sample> result(spec.width, spec.height, spec.nchannels);
-    if (image.input->read_image(0, 0, 0, spec.nchannels, type, result.samples.data())) return result;
+    ImageOf<Sample> result(shape.width_px, shape.height_px, shape.channels);
+    if (image_codecs().decode(*image.decoder, type, result.samples.data(), problem)) return result;
   } catch (const std::bad_alloc&) {
     throw work_error(path.string(), "does not fit into memory");
   } catch (const std::exception& error) {
-    throw input_error(path.string(), "is damaged or cut off", one_line(error.what()));
+    problem = error.what();
+    std::replace(problem.begin(), problem.end(), '\n', ' ');
   }
-  throw input_error(path.string(), "is damaged or cut off", one_line(image.input->geterror()));
+  throw input_error(path.string(), "is damaged or cut off", problem);
 }
 
 uint8_t luma(const uint8_t* rgb) {
@@ -226,25 +193,28 @@ Picture with_channels(Picture picture, int channels) {
 
 struct PngStripWriter::State {
   fs::path path;
-  PngFile file;
-  std::unique_ptr<ImageOutput> output;  // After `file`, which it writes to until it is gone.
   int width_px, height_px, channels;
+  PngFile file;
+  // After `file`, which it writes to until it is gone.
+  std::unique_ptr<PngEncoder, void (*)(PngEncoder*)> encoder{nullptr, image_codecs().close_png};
   int rows_written = 0;
+
+  /// A failure of the file goes before the encoder's, which it caused.
+  void check(bool good, const std::string& problem) const {
+    file.check();
+    if (!good) throw encoding_error(path.string(), problem);
+  }
 };
 
 PngStripWriter::PngStripWriter(const fs::path& path, int width_px, int height_px, int channels,
                                const ImageText& text) {
   assert(width_px > 0 && height_px > 0 && (channels == 1 || channels == 3 || channels == 4));
-  use_calling_thread_only();
   if (path.has_parent_path()) make_folder(path.parent_path());
-  state_.reset(
-      new State{path, PngFile(path, text), ImageOutput::create("png"), width_px, height_px, channels});
-  ImageSpec spec(width_px, height_px, channels, TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("png:compressionLevel", kPngLevel);
-  spec.attribute("png:filter", kPngFilterNone);
-  open_output(state_->output.get(), path, spec, &state_->file);
+  state_.reset(new State{path, width_px, height_px, channels, PngFile(path, text)});
+  std::string problem;
+  state_->encoder.reset(image_codecs().start_png({width_px, height_px, 1, channels}, state_->file.sink(),
+                                                 path.string(), problem));
+  if (!state_->encoder) throw encoding_error(path.string(), problem);
 }
 
 PngStripWriter::~PngStripWriter() = default;
@@ -257,10 +227,10 @@ void PngStripWriter::write(const Picture& strip) {
   constexpr int kRows = 64;
   for (int row = 0; row < strip.height_px; row += kRows) {
     const int end = s.rows_written + std::min(kRows, strip.height_px - row);
+    std::string problem;
     const uint8_t* from = &strip.samples[strip.index(0, row)];
-    const bool good = s.output->write_scanlines(s.rows_written, end, 0, TypeDesc::UINT8, from);
-    s.file.check();
-    if (!good) throw work_error(s.path.string(), "cannot be encoded", one_line(s.output->geterror()));
+    const bool good = image_codecs().write_rows(*s.encoder, s.rows_written, end, from, problem);
+    s.check(good, problem);
     s.rows_written = end;
   }
 }
@@ -268,9 +238,9 @@ void PngStripWriter::write(const Picture& strip) {
 void PngStripWriter::finish() {
   State& s = *state_;
   assert(s.rows_written == s.height_px);
-  const bool good = s.output->close();
-  s.file.check();
-  if (!good) throw work_error(s.path.string(), "cannot be encoded", one_line(s.output->geterror()));
+  std::string problem;
+  const bool good = image_codecs().finish_png(*s.encoder, problem);
+  s.check(good, problem);
   s.file.commit();
 }
 
@@ -282,61 +252,34 @@ void write_png(const fs::path& path, const Picture& picture, const ImageText& te
 
 void write_exr(const fs::path& path, const Image& image, const ImageText& text) {
   assert(image.channels == 1 || image.channels == 3 || image.channels == 4);
-  use_calling_thread_only();
-  ImageSpec spec(image.width_px, image.height_px, image.channels, TypeDesc::FLOAT);
-  spec.channelnames = {"R", "G", "B", "A"};
-  if (image.channels == 1) spec.channelnames = {"Y"};
-  spec.channelnames.resize(image.channels);
-  spec.attribute("DateTime",
-                 "");  // Else OpenImageIO puts the time of writing there, and no two files are alike.
-  for (const auto& [name, value] : text) spec.attribute(name, value);
-  spec.attribute("compression", "zip");
+  const ImageShape shape{image.width_px, image.height_px, 1, image.channels};
   // In memory first: OpenEXR goes back to fill in its table of offsets.
-  std::vector<unsigned char> encoded;
-  OIIO::Filesystem::IOVecOutput memory(encoded);
-  const std::unique_ptr<ImageOutput> output = ImageOutput::create("openexr");
-  open_output(output.get(), path, spec, &memory);
-  if (!output->write_image(TypeDesc::FLOAT, image.samples.data()) || !output->close()) {
-    throw work_error(path.string(), "cannot be encoded", one_line(output->geterror()));
-  }
-  write_file_atomically(path, {reinterpret_cast<const char*>(encoded.data()), encoded.size()});
+  std::string encoded, problem;
+  if (!image_codecs().encode_exr(shape, image.samples.data(), text, path.string(), encoded, problem))
+    throw encoding_error(path.string(), problem);
+  write_file_atomically(path, encoded);
 }
 
 std::string encode_webp(const Picture& picture, int quality) {
   assert(picture.channels == 3);
-  use_calling_thread_only();
-  ImageSpec spec(picture.width_px, picture.height_px, 3, TypeDesc::UINT8);
-  spec.attribute("Compression", "webp:" + std::to_string(quality));
-  std::vector<unsigned char> encoded;
-  OIIO::Filesystem::IOVecOutput memory(encoded);
-  const std::unique_ptr<ImageOutput> output = ImageOutput::create("webp");
-  open_output(output.get(), "thumbnail.webp", spec, &memory);
-  if (!output->write_image(TypeDesc::UINT8, picture.samples.data()) || !output->close()) {
-    throw work_error("thumbnail.webp", "cannot be encoded", one_line(output->geterror()));
-  }
-  return {encoded.begin(), encoded.end()};
+  const ImageShape shape{picture.width_px, picture.height_px, 1, picture.channels};
+  std::string encoded, problem;
+  if (!image_codecs().encode_webp(shape, picture.samples.data(), quality, encoded, problem))
+    throw encoding_error("thumbnail.webp", problem);
+  return encoded;
 }
 
 Picture read_picture(const fs::path& path, int channels) {
   assert(channels == 1 || channels == 3 || channels == 4);
-  const std::unique_ptr<OpenImage> image = open_image(path);
-  return with_channels(decode<uint8_t>(path, *image, TypeDesc::UINT8), channels);
+  return with_channels(decode<uint8_t>(path, open_image(path), SampleType::byte), channels);
 }
 
 Image read_image(const fs::path& path) {
-  const std::unique_ptr<OpenImage> image = open_image(path);
-  return decode<float>(path, *image, TypeDesc::FLOAT);
+  return decode<float>(path, open_image(path), SampleType::real);
 }
 
 std::string read_image_text(const fs::path& path, const std::string& name) {
-  // OpenImageIO reads these three under names of its own.
-  static const std::map<std::string, std::string> kRenamed = {
-      {"Author", "Artist"}, {"Description", "ImageDescription"}, {"Title", "DocumentName"}};
-  const std::unique_ptr<OpenImage> image = open_image(path);
-  const auto renamed = kRenamed.find(name);
-  const std::string other_name = renamed != kRenamed.end() ? renamed->second : name;
-  return std::string(
-      image->spec().get_string_attribute(name, image->spec().get_string_attribute(other_name)));
+  return image_codecs().text(*open_image(path).decoder, name);
 }
 
 }  // namespace inkbench
