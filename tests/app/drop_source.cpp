@@ -13,7 +13,7 @@ namespace inkbench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto kPatience = std::chrono::seconds(20);
+constexpr auto kDropPatience = std::chrono::seconds(20);
 constexpr long kVersion = 5;
 
 class DropSource {
@@ -90,7 +90,7 @@ class DropSource {
 
   /// What the window answers; meanwhile gives it the list when it asks.
   long wait_for(const char* message) {
-    const auto end = Clock::now() + kPatience;
+    const auto end = Clock::now() + kDropPatience;
     while (Clock::now() < end) {
       while (XPending(display_) > 0) {
         XEvent event{};

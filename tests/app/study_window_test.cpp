@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-std::string bytes_of(const fs::path& path) {
+std::string text_in(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -105,7 +105,7 @@ class AppStudy : public AppTest {
     for (const auto& entry : fs::directory_iterator("/proc")) {
       const std::string name = entry.path().filename().string();
       if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-      const std::string command = bytes_of(entry.path() / "cmdline");
+      const std::string command = text_in(entry.path() / "cmdline");
       const bool is_study = command.find(std::string("\0study\0", 7)) != std::string::npos;
       if (is_study && command.find(file("").string()) != std::string::npos) found.push_back(std::stoi(name));
     }
@@ -186,12 +186,12 @@ TEST_F(AppStudy, sweep_is_saved_as_a_spec_that_the_command_line_runs_unchanged) 
   wait_for("the name", [&](const Json& now) { return now["studies"]["form"]["spec"] == spec.string(); });
   click("save spec");
   wait_for("the file", [](const Json& now) { return now["studies"]["form"]["saved"] == true; });
-  const std::string text = bytes_of(spec);
+  const std::string text = text_in(spec);
   EXPECT_NE(text.find("scene = \"" + file("scene.toml").string() + "\""), std::string::npos) << text;
   EXPECT_FALSE(fs::exists(file("specs") / "mine_scene.toml"))
       << "the scene that is open is named, not copied";
   EXPECT_EQ(run_by_hand(spec, file("out"))["done"], 3);
-  EXPECT_EQ(bytes_of(spec), text);
+  EXPECT_EQ(text_in(spec), text);
   const std::vector<std::string> rows = lines_of(file("out") / "data.csv");
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[1].rfind("1,0.00075,", 0), 0U) << rows[1];
@@ -296,7 +296,7 @@ TEST_F(AppStudy, closing_the_window_ends_its_study_which_can_be_continued) {
   quit();
   EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 5.0);
   EXPECT_TRUE(study_processes().empty());
-  EXPECT_EQ(Json::parse(bytes_of(results("long") / "manifest.json"))["state"], "stopped");
+  EXPECT_EQ(Json::parse(text_in(results("long") / "manifest.json"))["state"], "stopped");
   const Json progress = run_by_hand(file("long.toml"), results("long"));
   EXPECT_EQ(progress["done"], 700);
   EXPECT_LT(progress["drawn"], 700) << "it goes on where it was";

@@ -8,7 +8,7 @@
 namespace inkbench {
 namespace {
 
-constexpr const char* kRabbit = "/usr/share/glmark2/models/bunny.obj";
+constexpr const char* kRabbitFile = "/usr/share/glmark2/models/bunny.obj";
 
 class RenderMesh : public CliTest {
  protected:
@@ -68,7 +68,7 @@ std::string moved_obj(const std::string& obj, double scale, double offset) {
 
 TEST_F(RenderMesh, scaled_and_moved_rabbit_stands_as_the_rabbit_does) {
   const Image expected = object_ids({});
-  write("big.obj", moved_obj(content_of(kRabbit), 10.0, 37.0));
+  write("big.obj", moved_obj(content_of(kRabbitFile), 10.0, 37.0));
   const Image big = object_ids({"--mesh", "big.obj"});
   expect_same_place(extent_of_object(expected, 1), extent_of_object(big, 1));
   expect_same_place(extent_of_object(expected, 2), extent_of_object(big, 2));

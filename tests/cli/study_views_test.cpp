@@ -18,7 +18,7 @@ using Row = std::map<std::string, std::string>;
 constexpr const char* kFront = "[[view]]\nname = \"front\"\n[view.set]\ncamera.fov = 50\n";
 constexpr const char* kSide = "[[view]]\nname = \"side\"\n[view.set]\ncamera.eye = [6, 2, 5]\n";
 constexpr const char* kSize = "[[axis]]\nkey = \"model.box.size\"\nvalues = [1.4, 2]\n";
-constexpr int kCells = 6;
+constexpr int kViewCells = 6;
 
 std::string thresholds(int count) {
   return fmt::format("[[axis]]\nkey = \"combine.k_normal\"\nfrom = 0.002\nto = 0.6\ncount = {}\n", count);
@@ -33,7 +33,7 @@ class StudyViews : public StudyTest {
     write_spec(
         "s",
         "size = [96, 72]\nshow = [\"final\"]\nmeasure = [\"f1\", \"recall_silhouette\", \"f1_geometry\"]\n" +
-            thresholds(kCells / 2) + kSize + views);
+            thresholds(kViewCells / 2) + kSize + views);
   }
   /// The study as it is without a break, in a folder of its own.
   FolderContent unbroken() {
@@ -92,22 +92,22 @@ TEST_F(StudyViews, reference_lines_that_are_damaged_or_missing_are_made_again) {
   const fs::path first = overlays().front();
   const std::string content = content_of(first);
   fs::remove(first);
-  EXPECT_EQ(finish(expected), kCells / 2) << "the cells that share it";
+  EXPECT_EQ(finish(expected), kViewCells / 2) << "the cells that share it";
   std::ofstream(first) << content.substr(0, content.size() / 2);
-  EXPECT_EQ(finish(expected), kCells / 2);
+  EXPECT_EQ(finish(expected), kViewCells / 2);
   std::ofstream(first) << std::string(content.size(), ' ');
-  EXPECT_EQ(finish(expected), kCells / 2) << "the size alone is not enough";
+  EXPECT_EQ(finish(expected), kViewCells / 2) << "the size alone is not enough";
   EXPECT_EQ(finish(expected), 0);
 }
 
 TEST_F(StudyViews, changed_views_leave_nothing_of_the_old_ones) {
   ASSERT_TRUE(succeeds(study("s", "out")));
   write_views(std::string(kFront) + "[[view]]\nname = \"side\"\n[view.set]\ncamera.eye = [5, 3, 6]\n");
-  EXPECT_EQ(finish(unbroken()), kCells) << "another camera";
+  EXPECT_EQ(finish(unbroken()), kViewCells) << "another camera";
   write_views(std::string(kFront) + "[[view]]\nname = \"right\"\n[view.set]\ncamera.eye = [5, 3, 6]\n");
-  EXPECT_EQ(finish(unbroken()), kCells) << "another name";
+  EXPECT_EQ(finish(unbroken()), kViewCells) << "another name";
   write_views(kFront);
-  EXPECT_EQ(finish(unbroken()), kCells) << "one less";
+  EXPECT_EQ(finish(unbroken()), kViewCells) << "one less";
 }
 
 TEST_F(StudyViews, a_longer_axis_keeps_the_cells_that_are_still_the_same) {

@@ -13,7 +13,7 @@ namespace inkbench {
 namespace {
 
 // Sums of 12 float differences, most of them far below 1.
-constexpr double kRounding = 1e-6;
+constexpr double kSceneRounding = 1e-6;
 
 /// All tests of this file look at one drawing.
 class PaperScene : public testing::Test {
@@ -38,12 +38,13 @@ TEST_F(PaperScene, shows_all_its_objects) {
 }
 
 TEST_F(PaperScene, depth_edges_equal_reference) {
-  EXPECT_TRUE(is_near(raw(BufferName::depth_edges), reference::gradient(map(BufferName::depth)), kRounding));
+  EXPECT_TRUE(
+      is_near(raw(BufferName::depth_edges), reference::gradient(map(BufferName::depth)), kSceneRounding));
 }
 
 TEST_F(PaperScene, normal_edges_equal_reference) {
   EXPECT_TRUE(
-      is_near(raw(BufferName::normal_edges), reference::gradient(map(BufferName::normal)), kRounding));
+      is_near(raw(BufferName::normal_edges), reference::gradient(map(BufferName::normal)), kSceneRounding));
 }
 
 TEST_F(PaperScene, combined_edges_equal_reference_of_normal_and_depth) {

@@ -8,7 +8,7 @@ namespace inkbench {
 namespace {
 
 // One float subtraction of values of at most 1.
-constexpr double kRounding = 1e-7;
+constexpr double kRangeRounding = 1e-7;
 
 Image run_range(const Image& gradients) {
   const GeneratedSources generated = generated_sources();
@@ -26,7 +26,8 @@ TEST(Range, equals_reference_on_noise_of_any_size) {
     const Image result = run_range(gradients);
     for (int channel = 0; channel < 2; ++channel) {
       const Image one = make_image(width, height, [&](int x, int y) { return result.at(x, y, channel); });
-      EXPECT_TRUE(is_near(one, range_of_channel(gradients, channel), kRounding)) << width << " x " << height;
+      EXPECT_TRUE(is_near(one, range_of_channel(gradients, channel), kRangeRounding))
+          << width << " x " << height;
     }
   }
 }

@@ -31,7 +31,7 @@ reference::Shading shade_read_back(Pipeline& pipeline, const Settings& settings,
                           reference::to_map(pipeline.at(settings).raw(BufferName::object_id)), use_ramps);
 }
 
-void expect_reference(const Settings& settings) {
+void expect_shaded(const Settings& settings) {
   Pipeline pipeline;
   const reference::Shading plain = shade_read_back(pipeline, settings, false);
   EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::blinn_phong), plain.colour, kArithmetic));
@@ -66,14 +66,14 @@ TEST(Shade, ramped_light_equals_rays_away_from_steps) {
 }
 
 TEST(Shade, sums_directional_and_point_lights) {
-  expect_reference(analytic_scene());
+  expect_shaded(analytic_scene());
 }
 
 TEST(Shade, equals_reference_with_each_light_alone) {
   for (size_t kept = 0; kept < 2; ++kept) {
     Settings settings = analytic_scene();
     settings.lights = {settings.lights[kept]};
-    expect_reference(settings);
+    expect_shaded(settings);
   }
 }
 
@@ -89,7 +89,7 @@ TEST(Shade, equals_reference_with_many_lights) {
     settings.lights.push_back(light);
   }
   settings.ramp.enabled = false;  // eight lights leave few pixels that are near no step
-  expect_reference(settings);
+  expect_shaded(settings);
 }
 
 TEST(Shade, too_many_lights_or_models_are_an_input_error) {
@@ -119,7 +119,7 @@ TEST(Shade, last_of_the_lights_and_materials_that_fit_is_used) {
 TEST(Shade, without_lights_shows_global_ambient_light) {
   Settings settings = analytic_scene();
   settings.lights.clear();
-  expect_reference(settings);
+  expect_shaded(settings);
 }
 
 TEST(Shade, without_ramps_is_plain_blinn_phong) {

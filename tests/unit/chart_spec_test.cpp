@@ -42,7 +42,7 @@ std::string chart_error(const std::string& body) {
   return error_of([&] { chart(body); });
 }
 
-std::string at(int line, const std::string& message) {
+std::string at_line(int line, const std::string& message) {
   return "/studies/s.toml:" + std::to_string(kLines + line) + ": " + message;
 }
 
@@ -112,44 +112,47 @@ TEST(ChartSpec, entries_are_taken) {
 
 TEST(ChartSpec, columns_must_be_those_of_the_table) {
   EXPECT_EQ(chart_error("x = \"mesh.face\"\ny = \"f1\"\n"),
-            at(1, "data.csv will have no column 'mesh.face'; did you mean 'mesh.faces'?"));
+            at_line(1, "data.csv will have no column 'mesh.face'; did you mean 'mesh.faces'?"));
   EXPECT_EQ(chart_error("x = \"mesh.faces\"\ny = \"recall\"\n"),
-            at(2, "data.csv will have no column 'recall'; add it to the study's measure"));
+            at_line(2, "data.csv will have no column 'recall'; add it to the study's measure"));
   EXPECT_THAT(chart_error("x = \"variant\"\ny = \"f1\"\n"),
-              StartsWith(at(1, "data.csv will have no column 'variant'")));
+              StartsWith(at_line(1, "data.csv will have no column 'variant'")));
   EXPECT_THAT(chart_error("x = \"error\"\ny = \"f1\"\n"),
-              StartsWith(at(1, "data.csv will have no column 'error'")));
+              StartsWith(at_line(1, "data.csv will have no column 'error'")));
   EXPECT_THAT(chart_error("x = \"mesh.faces\"\ny = \"mesh.normals\"\n"),
-              StartsWith(at(2, "y is \"mesh.normals\", which holds no numbers")));
+              StartsWith(at_line(2, "y is \"mesh.normals\", which holds no numbers")));
   EXPECT_THAT(chart_error("x = \"mesh.faces\"\ny = [\"f1\", \"f1\"]\n"),
-              StartsWith(at(2, "y names f1 twice")));
-  EXPECT_THAT(chart_error("x = \"mesh.faces\"\ny = []\n"), StartsWith(at(2, "y is an empty list")));
-  EXPECT_THAT(chart_error("x = 1\ny = \"f1\"\n"), StartsWith(at(1, "x is a number; it must be text")));
-  EXPECT_THAT(chart_error("y = \"f1\"\n"), StartsWith(at(0, "a [[chart]] without x")));
-  EXPECT_THAT(chart_error("x = \"mesh.faces\"\n"), StartsWith(at(0, "a [[chart]] without y")));
+              StartsWith(at_line(2, "y names f1 twice")));
+  EXPECT_THAT(chart_error("x = \"mesh.faces\"\ny = []\n"), StartsWith(at_line(2, "y is an empty list")));
+  EXPECT_THAT(chart_error("x = 1\ny = \"f1\"\n"), StartsWith(at_line(1, "x is a number; it must be text")));
+  EXPECT_THAT(chart_error("y = \"f1\"\n"), StartsWith(at_line(0, "a [[chart]] without x")));
+  EXPECT_THAT(chart_error("x = \"mesh.faces\"\n"), StartsWith(at_line(0, "a [[chart]] without y")));
   EXPECT_THAT(chart_error("x = \"mesh.faces\"\ny = \"f1\"\nby = \"mesh.faces\"\n"),
-              StartsWith(at(3, "by and x are both mesh.faces")));
+              StartsWith(at_line(3, "by and x are both mesh.faces")));
   EXPECT_THAT(chart_error("kind = \"heatmap\"\nx = \"mesh.faces\"\ny = \"f1\"\nvalue = \"f1\"\n"),
-              StartsWith(at(3, "y of a heat map is f1, which is measured")));
+              StartsWith(at_line(3, "y of a heat map is f1, which is measured")));
 }
 
 TEST(ChartSpec, entries_must_be_known_and_fit_their_kind) {
-  EXPECT_EQ(chart_error(kGood + "titel = \"x\"\n"), at(5, "unknown entry 'titel'; did you mean 'title'?"));
+  EXPECT_EQ(chart_error(kGood + "titel = \"x\"\n"),
+            at_line(5, "unknown entry 'titel'; did you mean 'title'?"));
   EXPECT_EQ(chart_error(kGood + "value = \"f1\"\n"),
-            at(5, "value is not for a chart of lines; add kind = \"heatmap\", or leave it out"));
+            at_line(5, "value is not for a chart of lines; add kind = \"heatmap\", or leave it out"));
   EXPECT_EQ(chart_error("kind = \"heatmap\"\nscale_x = \"log\"\n"),
-            at(2, "scale_x is not for a heat map; leave it out"));
-  EXPECT_EQ(chart_error(kGood + "kind = \"bars\"\n"), at(5, "kind is \"bars\"; one of: lines, heatmap"));
-  EXPECT_EQ(chart_error(kGood + "scale_y = \"cubic\"\n"), at(5, "scale_y is \"cubic\"; one of: linear, log"));
+            at_line(2, "scale_x is not for a heat map; leave it out"));
+  EXPECT_EQ(chart_error(kGood + "kind = \"bars\"\n"), at_line(5, "kind is \"bars\"; one of: lines, heatmap"));
+  EXPECT_EQ(chart_error(kGood + "scale_y = \"cubic\"\n"),
+            at_line(5, "scale_y is \"cubic\"; one of: linear, log"));
   EXPECT_EQ(chart_error(kGood + "y_from = \"0\"\n"),
-            at(5, "y_from is the text \"0\"; it must be a finite number"));
-  EXPECT_EQ(chart_error(kGood + "y_from = nan\n"), at(5, "y_from is a number; it must be a finite number"));
-  EXPECT_EQ(chart_error(kGood + "y_from = 1\ny_to = 1\n"), at(6, "y_to = 1; it must be above y_from"));
+            at_line(5, "y_from is the text \"0\"; it must be a finite number"));
+  EXPECT_EQ(chart_error(kGood + "y_from = nan\n"),
+            at_line(5, "y_from is a number; it must be a finite number"));
+  EXPECT_EQ(chart_error(kGood + "y_from = 1\ny_to = 1\n"), at_line(6, "y_to = 1; it must be above y_from"));
   EXPECT_EQ(chart_error(kGood + "scale_y = \"log\"\ny_from = 0\n"),
-            at(6, "y_from = 0 on a log axis; it must be above 0"));
-  EXPECT_THAT(chart_error(kGood + "best = \"least\"\n"), StartsWith(at(5, "best without best_of")));
+            at_line(6, "y_from = 0 on a log axis; it must be above 0"));
+  EXPECT_THAT(chart_error(kGood + "best = \"least\"\n"), StartsWith(at_line(5, "best without best_of")));
   EXPECT_THAT(chart_error("x = \"mesh.normals\"\ny = \"f1\"\nscale_x = \"log\"\n"),
-              StartsWith(at(3, "scale_x over mesh.normals, which holds names")));
+              StartsWith(at_line(3, "scale_x over mesh.normals, which holds names")));
   EXPECT_EQ(error_of([] { parse_spec("chart = 1", "/studies/s.toml", {}); }),
             "/studies/s.toml:1: chart is a number; it must be tables: [[chart]]");
 }
@@ -160,29 +163,31 @@ TEST(ChartSpec, names_are_file_names_and_differ) {
   EXPECT_THAT(chart_error(kGood + "name = \"" + std::string(65, 'a') + "\"\n"), HasSubstr("it names files"));
   EXPECT_EQ(
       chart_error(kGood + "[[chart]]\n" + kGood),
-      at(5, "chart f1_against_triangles: a second chart of that name; give it another one: name = \"...\""));
+      at_line(
+          5, "chart f1_against_triangles: a second chart of that name; give it another one: name = \"...\""));
   EXPECT_EQ(chart(kGood + "title = \"  F1: what?! \u00e4\"\n").name, "f1_what");
   EXPECT_EQ(chart(kGood + "title = \"\u65e5\u672c\"\n").name, "chart");
 }
 
 TEST(ChartSpec, filters_name_values_that_cells_have) {
   EXPECT_EQ(chart_error(kGood + "where = { mesh.faces = 500 }\n"),
-            at(0, "chart f1_against_triangles: no cell has mesh.faces = 500; did you mean '100'?"));
+            at_line(0, "chart f1_against_triangles: no cell has mesh.faces = 500; did you mean '100'?"));
   EXPECT_THAT(chart_error(kGood + "where = { mesh.normals = \"flt\" }\n"),
-              AllOf(StartsWith(at(5, "")), HasSubstr("flat")));
-  EXPECT_THAT(chart_error(kGood + "where = { mesh.normals = 1 }\n"), StartsWith(at(5, "")));
+              AllOf(StartsWith(at_line(5, "")), HasSubstr("flat")));
+  EXPECT_THAT(chart_error(kGood + "where = { mesh.normals = 1 }\n"), StartsWith(at_line(5, "")));
   EXPECT_THAT(chart_error(kGood + "where = { mesh.normls = \"flat\" }\n"),
-              StartsWith(at(5, "data.csv will have no column 'mesh.normls'")));
+              StartsWith(at_line(5, "data.csv will have no column 'mesh.normls'")));
   EXPECT_THAT(chart_error(kGood + "where = { mesh.normals = [] }\n"),
-              StartsWith(at(5, "where lists no value")));
-  EXPECT_THAT(chart_error(kGood + "where = 1\n"), StartsWith(at(5, "where is a number; it must be a table")));
+              StartsWith(at_line(5, "where lists no value")));
+  EXPECT_THAT(chart_error(kGood + "where = 1\n"),
+              StartsWith(at_line(5, "where is a number; it must be a table")));
 }
 
 TEST(ChartSpec, cells_that_would_fall_together_are_an_error) {
   EXPECT_THAT(
       chart_error("x = \"mesh.faces\"\ny = \"f1\"\n"),
-      AllOf(StartsWith(
-                at(0, "chart f1_against_triangles: cells 1 and 4 stand at the same place (mesh.faces = 0)")),
+      AllOf(StartsWith(at_line(
+                0, "chart f1_against_triangles: cells 1 and 4 stand at the same place (mesh.faces = 0)")),
             HasSubstr("by or panel")));
 }
 

@@ -10,7 +10,7 @@ namespace inkbench {
 namespace {
 
 /// Both meshes as one, the second moved by `offset`.
-Mesh joined(Mesh a, const Mesh& b, const glm::vec3& offset) {
+Mesh beside(Mesh a, const Mesh& b, const glm::vec3& offset) {
   const auto base = static_cast<uint32_t>(a.positions.size());
   for (const glm::vec3& p : b.positions) a.positions.push_back(p + offset);
   for (const auto& t : b.triangles) a.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
@@ -40,7 +40,7 @@ TEST(ClosedMesh, one_missing_or_turned_face_opens_it) {
 }
 
 TEST(ClosedMesh, two_sheets_on_the_same_edges_are_not) {
-  EXPECT_FALSE(is_closed_outwards(joined(make_sphere(8), make_sphere(8), {0, 0, 0})));
+  EXPECT_FALSE(is_closed_outwards(beside(make_sphere(8), make_sphere(8), {0, 0, 0})));
 }
 
 TEST(ClosedMesh, a_face_without_area_between_two_equal_points_opens_nothing) {
@@ -53,9 +53,9 @@ TEST(ClosedMesh, a_face_without_area_between_two_equal_points_opens_nothing) {
 }
 
 TEST(ClosedMesh, every_part_must_face_outwards) {
-  EXPECT_TRUE(is_closed_outwards(joined(make_sphere(8), make_box(1), {5, 0, 0})));
-  EXPECT_FALSE(is_closed_outwards(joined(make_sphere(16), make_inside_out_sphere(8), {0.1F, 0, 0})));
-  EXPECT_FALSE(is_closed_outwards(joined(make_sphere(8), make_plane(1), {5, 0, 0})));
+  EXPECT_TRUE(is_closed_outwards(beside(make_sphere(8), make_box(1), {5, 0, 0})));
+  EXPECT_FALSE(is_closed_outwards(beside(make_sphere(16), make_inside_out_sphere(8), {0.1F, 0, 0})));
+  EXPECT_FALSE(is_closed_outwards(beside(make_sphere(8), make_plane(1), {5, 0, 0})));
 }
 
 }  // namespace

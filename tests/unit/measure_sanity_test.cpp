@@ -12,10 +12,10 @@
 namespace inkbench {
 namespace {
 
-constexpr int kSide = 320;
+constexpr int kSceneSide = 320;
 
 /// Where a line runs, for x from 40 to 280: five of them, straight and wavy.
-constexpr int kLines = 5;
+constexpr int kDrawnLines = 5;
 constexpr double kFromX = 40, kToX = 280;
 
 double height_of(int line, double x) {
@@ -39,8 +39,8 @@ void draw_line(LineMap& map, double width, const std::function<double(double)>& 
 
 LineMap drawing(double width, const std::function<bool(int line, double x)>& is_drawn = {},
                 const std::function<double(int line, double x)>& shift = {}) {
-  LineMap map(kSide, kSide);
-  for (int line = 0; line < kLines; ++line) {
+  LineMap map(kSceneSide, kSceneSide);
+  for (int line = 0; line < kDrawnLines; ++line) {
     draw_line(
         map, width, [&](double x) { return height_of(line, x) + (shift ? shift(line, x) : 0); },
         [&](double x) { return !is_drawn || is_drawn(line, x); });
@@ -50,7 +50,7 @@ LineMap drawing(double width, const std::function<bool(int line, double x)>& is_
 
 std::vector<Polyline> polylines() {
   std::vector<Polyline> lines;
-  for (int line = 0; line < kLines; ++line) {
+  for (int line = 0; line < kDrawnLines; ++line) {
     Polyline polyline;
     for (double x = kFromX; x <= kToX; x += 4) {
       polyline.points.emplace_back(static_cast<float>(x), static_cast<float>(height_of(line, x)));
@@ -60,22 +60,22 @@ std::vector<Polyline> polylines() {
   return lines;
 }
 
-Measures score(const LineMap& prediction) {
+Measures scored(const LineMap& prediction) {
   const LineMap reference = drawing(2);
   const std::vector<Polyline> lines = polylines();
   return measures_of(tally_lines({.prediction = prediction, .reference = reference, .polylines = lines}));
 }
 
 Measures ideal() {
-  return score(drawing(3));
+  return scored(drawing(3));
 }
 
 Measures short_gaps() {
-  return score(drawing(3, [](int, double x) { return std::fmod(x, 60) >= 12; }));
+  return scored(drawing(3, [](int, double x) { return std::fmod(x, 60) >= 12; }));
 }
 
 Measures line_lost() {
-  return score(drawing(3, [](int line, double) { return line != 2; }));
+  return scored(drawing(3, [](int line, double) { return line != 2; }));
 }
 
 double wobble(int, double x) {
@@ -83,7 +83,7 @@ double wobble(int, double x) {
 }
 
 Measures jittered() {
-  return score(drawing(3, {}, wobble));
+  return scored(drawing(3, {}, wobble));
 }
 
 Measures specked() {
@@ -94,11 +94,11 @@ Measures specked() {
       for (int dx = 0; dx < 2; ++dx) map.set(x + dx, y + dy);
     }
   }
-  return score(map);
+  return scored(map);
 }
 
 Measures doubled() {
-  return score(united(drawing(3), drawing(3, {}, [](int, double) { return 7.0; })));
+  return scored(united(drawing(3), drawing(3, {}, [](int, double) { return 7.0; })));
 }
 
 /// The names of the measures that differ from the ideal drawing's by more than a twentieth of its value, or
@@ -129,7 +129,7 @@ TEST(MeasureSanity, ideal_drawing_scores_well_everywhere) {
   const Measures m = ideal();
   EXPECT_GT(m.precision, 0.99);
   EXPECT_GT(m.recall, 0.98);
-  EXPECT_EQ(m.components, kLines);
+  EXPECT_EQ(m.components, kDrawnLines);
   EXPECT_EQ(m.breaks_per_100px, 0);
   EXPECT_EQ(m.thickness_px, 3);
   EXPECT_LT(m.jaggedness_px.value(), 0.35);
@@ -155,21 +155,21 @@ TEST(MeasureSanity, jitter_moves_jaggedness) {
 
 TEST(MeasureSanity, specks_move_components) {
   EXPECT_EQ(names(moved(specked())), "components+ precision- ");
-  EXPECT_GE(specked().components, kLines + 40);
+  EXPECT_GE(specked().components, kDrawnLines + 40);
 }
 
 TEST(MeasureSanity, doubled_lines_move_precision) {
   EXPECT_EQ(names(moved(doubled())), "components+ precision- ");
   EXPECT_LT(doubled().precision, 0.55);
-  EXPECT_EQ(doubled().components, 2 * kLines);
+  EXPECT_EQ(doubled().components, 2 * kDrawnLines);
 }
 
 TEST(MeasureSanity, thick_lines_move_thickness) {
-  EXPECT_EQ(names(moved(score(drawing(5)))), "thickness_px+ ");
+  EXPECT_EQ(names(moved(scored(drawing(5)))), "thickness_px+ ");
 }
 
 TEST(MeasureSanity, shifted_lines_move_bias) {
-  EXPECT_EQ(names(moved(score(drawing(3, {}, [](int, double) { return 1.0; })))), "bias_px+ ");
+  EXPECT_EQ(names(moved(scored(drawing(3, {}, [](int, double) { return 1.0; })))), "bias_px+ ");
 }
 
 TEST(MeasureSanity, one_number_cannot_tell_defects_apart) {

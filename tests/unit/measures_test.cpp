@@ -40,7 +40,7 @@ LineMap random_strokes(int width, int height, int strokes, std::mt19937& random)
 
 using Points = std::vector<Pixel>;
 
-double nearest(const Pixel& from, const Points& to) {
+double nearest_px(const Pixel& from, const Points& to) {
   double best = std::numeric_limits<double>::infinity();
   for (const Pixel& pixel : to) best = std::min(best, std::hypot(pixel.x - from.x, pixel.y - from.y));
   return best;
@@ -62,7 +62,7 @@ double mean(const std::vector<double>& values) {
 
 std::vector<double> distances(const Points& from, const Points& to, double limit) {
   std::vector<double> result;
-  for (const Pixel& pixel : from) result.push_back(std::min(limit, nearest(pixel, to)));
+  for (const Pixel& pixel : from) result.push_back(std::min(limit, nearest_px(pixel, to)));
   return result;
 }
 
@@ -104,14 +104,15 @@ struct ByDefinition {
         const bool border = x < 2 || y < 2 || x >= ink.width_px() - 2 || y >= ink.height_px() - 2;
         if (border || !ink.at(x, y)) background.push_back({x, y});
         if (border) continue;
-        const double difference = std::min(10.0, nearest({x, y}, p)) - std::min(10.0, nearest({x, y}, r));
+        const double difference =
+            std::min(10.0, nearest_px({x, y}, p)) - std::min(10.0, nearest_px({x, y}, r));
         squares.push_back(difference * difference);
       }
     }
     baddeley = std::sqrt(mean(squares));
     std::set<std::pair<int, int>> missed, all;
     for (const Pixel& pixel : r) {
-      if (nearest(pixel, p) > tolerance) missed.insert({pixel.x, pixel.y});
+      if (nearest_px(pixel, p) > tolerance) missed.insert({pixel.x, pixel.y});
     }
     for (const Pixel& pixel : p) all.insert({pixel.x, pixel.y});
     const int gaps = count_parts(missed);
@@ -127,7 +128,7 @@ struct ByDefinition {
       end_pixels += neighbours == 1;
     }
     ends = 100.0 * end_pixels / static_cast<double>(p.size());
-    for (const Pixel& pixel : p) widths.push_back(2 * nearest(pixel, background) - 1);
+    for (const Pixel& pixel : p) widths.push_back(2 * nearest_px(pixel, background) - 1);
     thickness = percentile(widths, 0.5);
     double variance = 0;
     for (const double width : widths) variance += (width - mean(widths)) * (width - mean(widths));

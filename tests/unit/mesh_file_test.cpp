@@ -85,7 +85,7 @@ std::string raw_bytes(std::initializer_list<T> values) {
   return bytes;
 }
 
-double volume(const Mesh& mesh) {
+double volume_of(const Mesh& mesh) {
   double sum = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {
     sum += glm::dot(glm::dvec3(mesh.positions[a]),
@@ -98,7 +98,7 @@ void expect_tetrahedron(const Mesh& mesh) {
   EXPECT_EQ(mesh.positions.size(), 4U);
   EXPECT_EQ(mesh.normals.size(), 4U);
   EXPECT_EQ(mesh.triangles.size(), 4U);
-  EXPECT_NEAR(volume(mesh), 1.0 / 6.0, 1e-12);
+  EXPECT_NEAR(volume_of(mesh), 1.0 / 6.0, 1e-12);
 }
 
 /// Four corners of a tetrahedron, facet by facet.
@@ -159,7 +159,7 @@ TEST_F(MeshFile, rabbit_has_its_known_counts_and_is_whole) {
   EXPECT_EQ(mesh.triangles.size(), 69'666U);
   EXPECT_THAT(mesh.notes, ::testing::IsEmpty());
   for (const glm::vec3& normal : mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0F, 1e-5F);
-  EXPECT_GT(volume(mesh), 0.0);
+  EXPECT_GT(volume_of(mesh), 0.0);
 }
 
 TEST_F(MeshFile, rabbit_is_found_by_variable_and_its_absence_names_the_remedy) {

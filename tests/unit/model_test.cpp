@@ -13,7 +13,7 @@ namespace {
 
 const Bounds kBounds{{-1, 2, -3}, {3, 4, 5}};  // 4 x 2 x 8, its base's middle at (1, 2, 1)
 
-void expect_near(const glm::vec3& actual, const glm::vec3& expected) {
+void expect_place(const glm::vec3& actual, const glm::vec3& expected) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], 1e-5F) << "component " << i;
 }
 
@@ -28,53 +28,53 @@ TEST(ModelMatrix, the_default_leaves_the_mesh_where_it_is) {
 TEST(ModelMatrix, size_is_the_longest_side) {
   ModelParams model;
   model.size = 4.0F;  // of 8
-  expect_near(placed(model, kBounds.high) - placed(model, kBounds.low), {2, 1, 4});
-  expect_near(placed(model, {0, 0, 0}), {0, 0, 0});
+  expect_place(placed(model, kBounds.high) - placed(model, kBounds.low), {2, 1, 4});
+  expect_place(placed(model, {0, 0, 0}), {0, 0, 0});
 }
 
 TEST(ModelMatrix, the_base_stands_on_position) {
   ModelParams model;
   model.anchor = Anchor::base;
   model.position = {10, 20, 30};
-  expect_near(placed(model, {1, 2, 1}), {10, 20, 30});
+  expect_place(placed(model, {1, 2, 1}), {10, 20, 30});
   model.size = 16.0F;
-  expect_near(placed(model, {1, 2, 1}), {10, 20, 30});
-  expect_near(placed(model, {1, 4, 1}), {10, 24, 30});
+  expect_place(placed(model, {1, 2, 1}), {10, 20, 30});
+  expect_place(placed(model, {1, 4, 1}), {10, 24, 30});
 }
 
 TEST(ModelMatrix, the_origin_stands_on_position) {
   ModelParams model;
   model.position = {10, 20, 30};
   model.size = 16.0F;
-  expect_near(placed(model, {0, 0, 0}), {10, 20, 30});
-  expect_near(placed(model, {1, 0, 0}), {12, 20, 30});
+  expect_place(placed(model, {0, 0, 0}), {10, 20, 30});
+  expect_place(placed(model, {1, 0, 0}), {12, 20, 30});
 }
 
 TEST(ModelMatrix, turns_are_counter_clockwise_about_each_axis) {
   ModelParams model;
   model.rotation = {90, 0, 0};
-  expect_near(placed(model, {0, 1, 0}), {0, 0, 1});
+  expect_place(placed(model, {0, 1, 0}), {0, 0, 1});
   model.rotation = {0, 90, 0};
-  expect_near(placed(model, {0, 0, 1}), {1, 0, 0});
+  expect_place(placed(model, {0, 0, 1}), {1, 0, 0});
   model.rotation = {0, 0, 90};
-  expect_near(placed(model, {1, 0, 0}), {0, 1, 0});
+  expect_place(placed(model, {1, 0, 0}), {0, 1, 0});
 }
 
 TEST(ModelMatrix, turns_about_x_then_y_then_z) {
   ModelParams model;
   model.rotation = {90, 90, 0};
-  expect_near(placed(model, {0, 1, 0}), {1, 0, 0});  // x: to +z; y: +z to +x
+  expect_place(placed(model, {0, 1, 0}), {1, 0, 0});  // x: to +z; y: +z to +x
   model.rotation = {0, 90, 90};
-  expect_near(placed(model, {0, 0, 1}), {0, 1, 0});  // y: to +x; z: +x to +y
+  expect_place(placed(model, {0, 0, 1}), {0, 1, 0});  // y: to +x; z: +x to +y
   model.rotation = {90, 0, 90};
-  expect_near(placed(model, {1, 0, 0}), {0, 1, 0});  // x leaves it; z: to +y
+  expect_place(placed(model, {1, 0, 0}), {0, 1, 0});  // x leaves it; z: to +y
 }
 
 TEST(ModelMatrix, stretches_along_the_models_own_axes_before_turning) {
   ModelParams model;
   model.scale = {2, 1, 1};
   model.rotation = {0, 0, 90};
-  expect_near(placed(model, {1, 1, 0}), {-1, 2, 0});
+  expect_place(placed(model, {1, 1, 0}), {-1, 2, 0});
 }
 
 TEST(ModelMatrix, turns_about_the_anchor) {
@@ -82,15 +82,15 @@ TEST(ModelMatrix, turns_about_the_anchor) {
   model.anchor = Anchor::base;
   model.rotation = {0, 180, 0};
   model.scale = {3, 3, 3};
-  expect_near(placed(model, {1, 2, 1}), {0, 0, 0});
-  expect_near(placed(model, {2, 2, 1}), {-3, 0, 0});
+  expect_place(placed(model, {1, 2, 1}), {0, 0, 0});
+  expect_place(placed(model, {2, 2, 1}), {-3, 0, 0});
 }
 
 TEST(ModelMatrix, a_mesh_without_extent_stays_finite) {
   ModelParams model;
   model.anchor = Anchor::base;
   model.size = 2.0F;
-  expect_near(placed(model, {1, 1, 1}, {{1, 1, 1}, {1, 1, 1}}), {0, 0, 0});
+  expect_place(placed(model, {1, 1, 1}, {{1, 1, 1}, {1, 1, 1}}), {0, 0, 0});
 }
 
 TEST(ModelMesh, every_shape_makes_its_mesh) {

@@ -51,7 +51,7 @@ std::string picture_url(const json& data, size_t cell_index, size_t slot) {
          pattern.at(1).get<std::string>();
 }
 
-size_t count_of(const std::string& text, const std::string& part) {
+size_t times_in(const std::string& text, const std::string& part) {
   size_t count = 0;
   for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
   return count;
@@ -102,11 +102,11 @@ TEST(Page, hostile_texts_stay_texts_everywhere) {
   const std::string html = page_html(page);
   const std::string plain = page_html(page_of({cell("1")}));
   EXPECT_THAT(html, Not(HasSubstr("<script>alert")));
-  EXPECT_EQ(count_of(html, "<script"), count_of(plain, "<script"));
-  EXPECT_EQ(count_of(html, "</script"), count_of(plain, "</script"));
-  EXPECT_EQ(count_of(html, "<!--"), count_of(plain, "<!--"));
+  EXPECT_EQ(times_in(html, "<script"), times_in(plain, "<script"));
+  EXPECT_EQ(times_in(html, "</script"), times_in(plain, "</script"));
+  EXPECT_EQ(times_in(html, "<!--"), times_in(plain, "<!--"));
   EXPECT_THAT(html, Not(HasSubstr("\xff")));
-  EXPECT_EQ(count_of(html, "\"columns\":"), 1U) << "a field's text is not filled again";
+  EXPECT_EQ(times_in(html, "\"columns\":"), 1U) << "a field's text is not filled again";
   EXPECT_EQ(data_of(html).at("cells").at(0).at("error"), json::parse(json_text(kHostile)));
 }
 
@@ -149,8 +149,8 @@ TEST(Page, failed_cells_are_named_up_to_twenty) {
 TEST(Page, needs_nothing_from_the_network) {
   const std::string html = page_html(page_of({cell("1")}));
   EXPECT_THAT(html, HasSubstr("default-src 'none'"));
-  EXPECT_EQ(count_of(html, "http://") + count_of(html, "https://"),
-            count_of(html, "http://www.w3.org/2000/svg"));
+  EXPECT_EQ(times_in(html, "http://") + times_in(html, "https://"),
+            times_in(html, "http://www.w3.org/2000/svg"));
 }
 
 TEST(Page, part_of_a_large_study_says_so) {

@@ -20,7 +20,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const float kNan = std::numeric_limits<float>::quiet_NaN();
+const float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
 double total_area(const Mesh& mesh) {
   double sum = 0.0;
@@ -92,8 +92,8 @@ TEST(PolygonSoupToMesh, tiny_and_huge_triangles_have_area_and_unit_normals) {
 
 TEST(PolygonSoupToMesh, an_unused_bad_normal_does_not_spoil_the_others) {
   PolygonSoup soup = one_triangle();
-  soup.points.emplace_back(kNan);
-  soup.normals = {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {kNan, 0, 0}};
+  soup.points.emplace_back(kNotANumber);
+  soup.normals = {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {kNotANumber, 0, 0}};
   const Mesh mesh = mesh_from_soup(soup, "x");
   EXPECT_THAT(mesh.normals, ::testing::Each(glm::vec3(0, 1, 0)));
   EXPECT_THAT(mesh.notes, ElementsAre("Removed 1 isolated vertex that no drawn face uses."));
@@ -136,7 +136,7 @@ TEST(SmoothNormals, vertices_without_a_usable_face_point_up) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {5, 5, 5}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 1}, {3, 3, 3}};
-  mesh.normals = {glm::vec3(kNan)};
+  mesh.normals = {glm::vec3(kNotANumber)};
   smooth_normals(mesh);
   EXPECT_THAT(mesh.normals,
               ElementsAre(glm::vec3(0, 1, 0), glm::vec3(0, 1, 0), glm::vec3(0, 1, 0), glm::vec3(0, 1, 0)));

@@ -20,7 +20,7 @@ class Random {
   uint64_t state_ = 7;
 };
 
-void expect_sound(const ReferenceScene& scene, const ReferenceLines& lines) {
+void expect_sound_lines(const ReferenceScene& scene, const ReferenceLines& lines) {
   for (const auto* group : {&lines.polylines, &lines.whole_creases}) {
     for (const Polyline& line : *group) {
       ASSERT_GE(line.points.size(), 2U);
@@ -74,7 +74,7 @@ TEST(ReferenceRobust, triangle_soup_of_all_kinds) {
     scene.camera.target = {0, 0, -5};
     scene.add(soup);
     const ReferenceLines lines = scene.lines();
-    expect_sound(scene, lines);
+    expect_sound_lines(scene, lines);
     EXPECT_FALSE(lines.polylines.empty());
   }
 }
@@ -94,7 +94,7 @@ TEST(ReferenceRobust, hundred_components_have_a_circle_each) {
   scene.width_px = scene.height_px = 512;
   scene.add(many);
   const ReferenceLines lines = scene.lines();
-  expect_sound(scene, lines);
+  expect_sound_lines(scene, lines);
   const std::vector<Polyline> silhouettes = of_class(lines, LineClass::silhouette);
   EXPECT_EQ(silhouettes.size(), 100U);
   for (const Polyline& line : silhouettes) EXPECT_TRUE(is_closed_line(line));
@@ -108,7 +108,7 @@ TEST(ReferenceRobust, torn_mesh_has_boundaries_around_its_holes) {
   for (const float turn : {0.0F, 1.0F, 2.0F, 4.0F}) {
     ReferenceScene scene;
     scene.add(sphere, glm::rotate(glm::mat4(1.0F), turn, glm::vec3(0, 1, 0)));
-    expect_sound(scene, scene.lines());
+    expect_sound_lines(scene, scene.lines());
   }
 }
 
@@ -121,7 +121,7 @@ TEST(ReferenceRobust, eye_inside_a_mesh_and_tiny_images) {
     scene.add(make_torus(24, 0.4F));
     scene.add(make_box(2));
     const ReferenceLines lines = scene.lines();
-    expect_sound(scene, lines);
+    expect_sound_lines(scene, lines);
     EXPECT_EQ(class_map(lines, LineClass::silhouette).width_px(), size);
   }
 }
@@ -135,7 +135,7 @@ TEST(ReferenceRobust, hugely_different_edge_lengths_give_finite_curvature) {
   }
   ReferenceScene scene;
   scene.add(needle);
-  expect_sound(scene, scene.lines());
+  expect_sound_lines(scene, scene.lines());
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ PolygonSoup soup_of(const Mesh& mesh, float scale, const glm::vec3& offset, int 
   return soup;
 }
 
-std::string binary_stl(const PolygonSoup& soup) {
+std::string binary_stl_of(const PolygonSoup& soup) {
   std::string bytes(80, ' ');
   const auto append = [&](const void* data, size_t size) {
     bytes.append(static_cast<const char*>(data), size);
@@ -131,9 +131,9 @@ TEST(RoundedCorners, an_stl_file_loads_closed_and_decimates_like_the_shape) {
   const TemporaryFolder folder;
   const Mesh torus = make_torus(24, 0.35F);
   const Mesh clean =
-      load_mesh_file(folder.write("clean.stl", binary_stl(soup_of(torus, 1, glm::vec3(0), 0))));
+      load_mesh_file(folder.write("clean.stl", binary_stl_of(soup_of(torus, 1, glm::vec3(0), 0))));
   EXPECT_THAT(clean.notes, IsEmpty());
-  const Mesh mesh = load_mesh_file(folder.write("t.stl", binary_stl(soup_of(torus, 1, glm::vec3(0), 1))));
+  const Mesh mesh = load_mesh_file(folder.write("t.stl", binary_stl_of(soup_of(torus, 1, glm::vec3(0), 1))));
   EXPECT_TRUE(is_closed_outwards(mesh));
   EXPECT_THAT(mesh.notes, Contains(HasSubstr("rounding")));
   const Mesh level = mesh_at_level(mesh, record_collapses(mesh), 200);

@@ -15,12 +15,12 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-Settings parse(const std::string& text) {
+Settings parsed_settings(const std::string& text) {
   return parse_settings(text, "a.toml", "/scenes");
 }
 
-std::string parse_error(const std::string& text) {
-  return error_of([&] { parse(text); });
+std::string settings_error(const std::string& text) {
+  return error_of([&] { parsed_settings(text); });
 }
 
 void expect_equal(const Settings& a, const Settings& b) {
@@ -106,8 +106,8 @@ TEST(SettingsFile, random_settings_read_back_equal) {
 }
 
 TEST(SettingsFile, an_empty_file_is_the_defaults) {
-  expect_equal(parse(""), Settings{});
-  expect_equal(parse("title = \"a title is for people\"\n"), Settings{});
+  expect_equal(parsed_settings(""), Settings{});
+  expect_equal(parsed_settings("title = \"a title is for people\"\n"), Settings{});
 }
 
 TEST(SettingsFile, the_paper_scene_has_the_papers_values) {
@@ -141,7 +141,7 @@ TEST(SettingsFile, every_bundled_scene_is_valid) {
 }
 
 TEST(SettingsFile, models_and_lights_come_in_the_order_of_the_file) {
-  const Settings settings = parse(
+  const Settings settings = parsed_settings(
       "[[model]]\nname = \"b\"\nsize = 2\nmaterial.specular = 0.5\n[[model]]\nname = \"a\"\n[[light]]\nname "
       "= \"b\"\n");
   ASSERT_EQ(settings.models.size(), 2U);
@@ -153,8 +153,8 @@ TEST(SettingsFile, models_and_lights_come_in_the_order_of_the_file) {
 }
 
 TEST(SettingsFile, components_may_be_set_alone) {
-  EXPECT_EQ(parse("camera.eye.x = 3").camera.eye, glm::vec3(3, 0, 5));
-  EXPECT_EQ(parse("[ink]\ncolour.b = 1").ink.colour, glm::vec3(0, 0, 1));
+  EXPECT_EQ(parsed_settings("camera.eye.x = 3").camera.eye, glm::vec3(3, 0, 5));
+  EXPECT_EQ(parsed_settings("[ink]\ncolour.b = 1").ink.colour, glm::vec3(0, 0, 1));
 }
 
 class SceneFiles : public ::testing::Test {
@@ -255,101 +255,102 @@ TEST_F(SceneFiles, a_scene_given_by_a_relative_path_still_has_absolute_ones) {
 }
 
 TEST(SettingsFile, unknown_keys_at_any_depth_are_errors_with_their_line) {
-  EXPECT_THAT(parse_error("\nnonsense = 1\n"), StartsWith("a.toml:2: unknown parameter 'nonsense'"));
-  EXPECT_EQ(parse_error("[combine]\nk_dept = 1\n"),
+  EXPECT_THAT(settings_error("\nnonsense = 1\n"), StartsWith("a.toml:2: unknown parameter 'nonsense'"));
+  EXPECT_EQ(settings_error("[combine]\nk_dept = 1\n"),
             "a.toml:2: unknown parameter 'combine.k_dept'; did you mean 'combine.k_depth'?");
-  EXPECT_THAT(parse_error("[combin]\nk_depth = 1\n"),
+  EXPECT_THAT(settings_error("[combin]\nk_depth = 1\n"),
               StartsWith("a.toml:2: unknown parameter 'combin.k_depth'"));
-  EXPECT_THAT(parse_error("[[model]]\nname = \"m\"\nmaterial.colr = 1\n"),
+  EXPECT_THAT(settings_error("[[model]]\nname = \"m\"\nmaterial.colr = 1\n"),
               StartsWith("a.toml:3: unknown parameter 'model.m.material.colr'"));
-  EXPECT_THAT(parse_error("[[light]]\nname = \"l\"\n\nsize = 1\n"),
+  EXPECT_THAT(settings_error("[[light]]\nname = \"l\"\n\nsize = 1\n"),
               StartsWith("a.toml:4: unknown parameter 'light.l.size'"));
-  EXPECT_THAT(parse_error("[combine.k_depth]\nvalue = 1\n"),
+  EXPECT_THAT(settings_error("[combine.k_depth]\nvalue = 1\n"),
               StartsWith("a.toml:2: unknown parameter 'combine.k_depth.value'"));
-  EXPECT_THAT(parse_error("camera.eye.w = 1\n"), StartsWith("a.toml:1: unknown parameter 'camera.eye.w'"));
-  EXPECT_THAT(parse_error("[camera]\neye = {x = 1, q = 2}\n"),
+  EXPECT_THAT(settings_error("camera.eye.w = 1\n"), StartsWith("a.toml:1: unknown parameter 'camera.eye.w'"));
+  EXPECT_THAT(settings_error("[camera]\neye = {x = 1, q = 2}\n"),
               StartsWith("a.toml:2: unknown parameter 'camera.eye.q'"));
 }
 
 TEST(SettingsFile, empty_tables_of_no_group_are_errors_too) {
-  EXPECT_THAT(parse_error("\n[combin]\n"), StartsWith("a.toml:2: unknown parameter 'combin'"));
-  EXPECT_THAT(parse_error("[model.rabit]\n"), StartsWith("a.toml:1: unknown parameter 'model.rabit'"));
-  EXPECT_THAT(parse_error("combine.k_depth = {}\n"),
+  EXPECT_THAT(settings_error("\n[combin]\n"), StartsWith("a.toml:2: unknown parameter 'combin'"));
+  EXPECT_THAT(settings_error("[model.rabit]\n"), StartsWith("a.toml:1: unknown parameter 'model.rabit'"));
+  EXPECT_THAT(settings_error("combine.k_depth = {}\n"),
               StartsWith("a.toml:1: combine.k_depth is a table; it must be a number"));
-  EXPECT_NO_THROW(parse("[combine]\n[camera]\n[[model]]\nname = \"m\"\nmaterial = {}\n"));
+  EXPECT_NO_THROW(parsed_settings("[combine]\n[camera]\n[[model]]\nname = \"m\"\nmaterial = {}\n"));
 }
 
 TEST(SettingsFile, a_key_given_twice_is_an_error) {
-  EXPECT_THAT(parse_error("combine.k_depth = 0.1\ncombine.k_depth = 0.2\n"),
+  EXPECT_THAT(settings_error("combine.k_depth = 0.1\ncombine.k_depth = 0.2\n"),
               StartsWith("a.toml:2: not valid TOML"));
-  EXPECT_THAT(parse_error("[combine]\nk_depth = 0.1\n[combine]\nk_normal = 0.2\n"),
+  EXPECT_THAT(settings_error("[combine]\nk_depth = 0.1\n[combine]\nk_normal = 0.2\n"),
               StartsWith("a.toml:3: not valid TOML"));
-  EXPECT_EQ(parse_error("camera.eye.x = 1\ncamera.eye.r = 2\n"),
+  EXPECT_EQ(settings_error("camera.eye.x = 1\ncamera.eye.r = 2\n"),
             "a.toml:2: camera.eye.r and camera.eye.x are the same; give one of them");
-  EXPECT_THAT(parse_error("camera.eye = 1\ncamera.eye.x = 2\n"), StartsWith("a.toml:2: not valid TOML"));
-  EXPECT_THAT(parse_error("combine.k_depth = 0.1\n\"combine.k_depth\" = 0.2\n"),
+  EXPECT_THAT(settings_error("camera.eye = 1\ncamera.eye.x = 2\n"), StartsWith("a.toml:2: not valid TOML"));
+  EXPECT_THAT(settings_error("combine.k_depth = 0.1\n\"combine.k_depth\" = 0.2\n"),
               StartsWith("a.toml:2: the key 'combine.k_depth' is quoted, so its dots do not separate parts"));
 }
 
 TEST(SettingsFile, names_must_differ) {
-  EXPECT_EQ(parse_error("[[model]]\nname = \"m\"\n[[model]]\nname = \"m\"\n"),
+  EXPECT_EQ(settings_error("[[model]]\nname = \"m\"\n[[model]]\nname = \"m\"\n"),
             "a.toml:3: a second [[model]] is named 'm'; names must differ");
-  EXPECT_EQ(parse_error("[[light]]\nname = \"l\"\n[[light]]\nname = \"l\"\n"),
+  EXPECT_EQ(settings_error("[[light]]\nname = \"l\"\n[[light]]\nname = \"l\"\n"),
             "a.toml:3: a second [[light]] is named 'l'; names must differ");
 }
 
 TEST(SettingsFile, models_and_lights_need_names) {
-  EXPECT_EQ(parse_error("\n[[model]]\nsize = 1\n"),
+  EXPECT_EQ(settings_error("\n[[model]]\nsize = 1\n"),
             "a.toml:2: a [[model]] without a name; give it one: name = \"box\"");
-  EXPECT_THAT(parse_error("[[model]]\nname = 7\n"), StartsWith("a.toml:1: a [[model]] without a name"));
-  EXPECT_THAT(parse_error("[[light]]\n"), StartsWith("a.toml:1: a [[light]] without a name"));
+  EXPECT_THAT(settings_error("[[model]]\nname = 7\n"), StartsWith("a.toml:1: a [[model]] without a name"));
+  EXPECT_THAT(settings_error("[[light]]\n"), StartsWith("a.toml:1: a [[light]] without a name"));
 }
 
 TEST(SettingsFile, names_must_be_fit_for_keys) {
   for (const char* name : {"", "a.b", "a b", "caf\xc3\xa9", "a\\\"", "<name>"}) {
-    EXPECT_THAT(parse_error(std::string("[[model]]\nname = \"") + name + "\"\n"),
+    EXPECT_THAT(settings_error(std::string("[[model]]\nname = \"") + name + "\"\n"),
                 AllOf(StartsWith("a.toml:2: the name \""), HasSubstr("cannot be part of a key")));
   }
-  EXPECT_NO_THROW(parse("[[model]]\nname = \"A-b_9\"\n"));
+  EXPECT_NO_THROW(parsed_settings("[[model]]\nname = \"A-b_9\"\n"));
 }
 
 TEST(SettingsFile, lists_hold_tables) {
-  EXPECT_EQ(parse_error("\nmodel = [1]\n"), "a.toml:2: model holds a number; it is a list of tables");
-  EXPECT_THAT(parse_error("light = [[]]\n"), StartsWith("a.toml:1: light holds a list of 0"));
-  EXPECT_THAT(parse_error("model = 3\n"), StartsWith("a.toml:1: unknown parameter 'model'"));
-  EXPECT_THAT(parse_error("model = \"rabbit\"\n"), StartsWith("a.toml:1: unknown parameter 'model'"));
-  EXPECT_THAT(parse_error("[[combine]]\nk_depth = 1\n"), StartsWith("a.toml:1: unknown parameter 'combine'"));
+  EXPECT_EQ(settings_error("\nmodel = [1]\n"), "a.toml:2: model holds a number; it is a list of tables");
+  EXPECT_THAT(settings_error("light = [[]]\n"), StartsWith("a.toml:1: light holds a list of 0"));
+  EXPECT_THAT(settings_error("model = 3\n"), StartsWith("a.toml:1: unknown parameter 'model'"));
+  EXPECT_THAT(settings_error("model = \"rabbit\"\n"), StartsWith("a.toml:1: unknown parameter 'model'"));
+  EXPECT_THAT(settings_error("[[combine]]\nk_depth = 1\n"),
+              StartsWith("a.toml:1: unknown parameter 'combine'"));
 }
 
 TEST(SettingsFile, wrong_types_and_values_name_file_line_and_key) {
-  EXPECT_EQ(parse_error("[combine]\nk_depth = \"much\"\n"),
+  EXPECT_EQ(settings_error("[combine]\nk_depth = \"much\"\n"),
             "a.toml:2: combine.k_depth is the text \"much\"; it must be a number from 1e-06 to 1");
-  EXPECT_EQ(parse_error("\n\ncombine.k_depth = 7\n"),
+  EXPECT_EQ(settings_error("\n\ncombine.k_depth = 7\n"),
             "a.toml:3: combine.k_depth = 7 is out of range; it must be a number from 1e-06 to 1");
-  EXPECT_THAT(parse_error("combine.use_depth = 1\n"),
+  EXPECT_THAT(settings_error("combine.use_depth = 1\n"),
               StartsWith("a.toml:1: combine.use_depth is a number; it must be true or false"));
-  EXPECT_THAT(parse_error("image.width = 2.5\n"),
+  EXPECT_THAT(settings_error("image.width = 2.5\n"),
               StartsWith("a.toml:1: image.width is a number; it must be a whole number"));
-  EXPECT_THAT(parse_error("camera.eye = [1, 2]\n"),
+  EXPECT_THAT(settings_error("camera.eye = [1, 2]\n"),
               StartsWith("a.toml:1: camera.eye is a list of 2; it must be three numbers"));
-  EXPECT_THAT(parse_error("[[model]]\nname = \"m\"\nshape = \"ball\"\n"),
+  EXPECT_THAT(settings_error("[[model]]\nname = \"m\"\nshape = \"ball\"\n"),
               StartsWith("a.toml:3: model.m.shape = \"ball\" is not one of its choices"));
-  EXPECT_THAT(parse_error("[[model]]\nname = \"m\"\nmesh = 3\n"),
+  EXPECT_THAT(settings_error("[[model]]\nname = \"m\"\nmesh = 3\n"),
               StartsWith("a.toml:3: model.m.mesh is a number; it must be the path of a file"));
-  EXPECT_THAT(parse_error("ink.colour = \"black\"\n"),
+  EXPECT_THAT(settings_error("ink.colour = \"black\"\n"),
               StartsWith("a.toml:1: ink.colour is the text \"black\"; it must be a colour"));
-  EXPECT_EQ(parse_error("title = 3\n"), "a.toml:1: title is a number; it must be text");
+  EXPECT_EQ(settings_error("title = 3\n"), "a.toml:1: title is a number; it must be text");
 }
 
 TEST(SettingsFile, numbers_that_are_not_finite_are_errors) {
   for (const char* number : {"nan", "inf", "-inf", "1e39"}) {
-    EXPECT_THAT(parse_error(std::string("combine.threshold = ") + number),
+    EXPECT_THAT(settings_error(std::string("combine.threshold = ") + number),
                 StartsWith("a.toml:1: combine.threshold = "));
   }
 }
 
 TEST(SettingsFile, apply_table_changes_what_it_names_and_nothing_else) {
-  Settings settings = parse("[[model]]\nname = \"m\"\n");
+  Settings settings = parsed_settings("[[model]]\nname = \"m\"\n");
   Settings expected = settings;
   expected.combine.k_depth = 0.5F;
   expected.models[0].position.y = 3.0F;
@@ -364,11 +365,11 @@ TEST(SettingsFile, thousands_of_models_are_read_in_seconds) {
   for (int i = 0; i < 2000; ++i) settings.models.emplace_back().name = "m" + std::to_string(i);
   const std::string text = settings_text(settings);
   const auto start = std::chrono::steady_clock::now();
-  expect_equal(parse(text), settings);
+  expect_equal(parsed_settings(text), settings);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
   std::string too_many;
   for (int i = 0; i < 4097; ++i) too_many += "[[model]]\nname = \"m" + std::to_string(i) + "\"\n";
-  EXPECT_THAT(parse_error(too_many), HasSubstr("too many [[model]] tables"));
+  EXPECT_THAT(settings_error(too_many), HasSubstr("too many [[model]] tables"));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace inkbench {
 namespace {
 
-Picture noise(int side_px) {
+Picture noise_square(int side_px) {
   Picture picture(side_px, side_px, 3);
   uint32_t seed = 7;
   for (uint8_t& sample : picture.samples) {
@@ -79,7 +79,7 @@ TEST(Thumbnail, thin_lines_stay_visible_on_light_and_on_dark_ground) {
 }
 
 TEST(Thumbnail, that_takes_too_much_becomes_smaller_and_at_last_nothing) {
-  const Picture picture = noise(256);
+  const Picture picture = noise_square(256);
   const std::string full = thumbnail(picture, {240, 1'000'000, 1});
   const std::string cut = thumbnail(picture, {240, full.size() - 1, 1});
   EXPECT_LT(cut.size(), full.size());
@@ -124,7 +124,7 @@ TEST(ThumbnailPlan, largest_page_stays_under_12_megabytes) {
     page.cells.push_back(std::move(cell));
   }
   const ThumbnailPlan plan = plan_thumbnails(kMaxPageCells, 1, thumbnail_room(page));
-  const std::string text = thumbnail(noise(64), plan);
+  const std::string text = thumbnail(noise_square(64), plan);
   EXPECT_NE(text, "");
   for (PageCell& cell : page.cells) cell.thumbnails = {text};
   EXPECT_LT(page_html(page).size(), 12'000'000U);

@@ -29,7 +29,7 @@ const std::string kAwkward[] = {"plain",
                                 "\"\"\" ''' ",
                                 " spaces at both ends "};
 
-Settings scene() {
+Settings value_scene() {
   Settings settings;
   settings.models.emplace_back().name = "rabbit";
   settings.lights.emplace_back().name = "key";
@@ -48,7 +48,7 @@ class ValueText : public ::testing::Test {
     EXPECT_EQ(find_param(settings_, key, "here").value(), before) << "an error must not change " << key;
     return message;
   }
-  Settings settings_ = scene();
+  Settings settings_ = value_scene();
 };
 
 TEST(Value, text_is_toml_as_a_person_would_write_it) {
@@ -295,7 +295,7 @@ TEST_F(ValueText, a_ramp_may_be_an_image) {
 }
 
 TEST(ValueToml, relative_paths_start_from_the_folder_given) {
-  Settings settings = scene();
+  Settings settings = value_scene();
   const auto value_of = [&](const std::string& key, const std::string& text) {
     const TomlNode document = parse_toml("v = " + to_text(Value(text)), "here");
     return value_from_toml(find_param(settings, key, ""), document.entries[0].node, "here", "/scenes/one");
@@ -309,7 +309,7 @@ TEST(ValueToml, relative_paths_start_from_the_folder_given) {
 }
 
 TEST(Param, overlaps_what_it_shares_a_number_with) {
-  Settings settings = scene();
+  Settings settings = value_scene();
   const auto overlap = [&](const std::string& a, const std::string& b) {
     return find_param(settings, a, "").overlaps(find_param(settings, b, ""));
   };

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 constexpr uint32_t kLeftOut = ManifoldPieces::kLeftOut;
 
 /// Every triangle with corners of its own, as an STL has them, moved by up to `jitter` in each coordinate.
-Mesh soup_of(const Mesh& mesh, float jitter) {
+Mesh jittered_soup_of(const Mesh& mesh, float jitter) {
   Mesh soup;
   uint32_t random = 1;
   for (const auto& t : mesh.triangles) {
@@ -49,7 +49,7 @@ Mesh mesh_of(std::vector<glm::vec3> positions, std::vector<std::array<uint32_t, 
 
 TEST(Weld, equal_positions_become_one_vertex) {
   const Mesh torus = make_torus(12, 0.3F);
-  const WeldResult result = weld(soup_of(torus, 0.0F), 0.0F);
+  const WeldResult result = weld(jittered_soup_of(torus, 0.0F), 0.0F);
   EXPECT_EQ(result.mesh.positions.size(), torus.positions.size());
   EXPECT_EQ(result.merged_vertices, 3 * torus.triangles.size() - torus.positions.size());
   EXPECT_EQ(result.mesh.triangles.size(), torus.triangles.size());
@@ -59,7 +59,7 @@ TEST(Weld, equal_positions_become_one_vertex) {
 
 TEST(Weld, a_tolerance_closes_what_rounding_opened) {
   const Mesh torus = make_torus(12, 0.3F);
-  const Mesh soup = soup_of(torus, 1e-4F);
+  const Mesh soup = jittered_soup_of(torus, 1e-4F);
   EXPECT_FALSE(is_closed_outwards(weld(soup, 0.0F).mesh));
   const WeldResult result = weld(soup, 4e-4F);
   EXPECT_EQ(result.mesh.positions.size(), torus.positions.size());

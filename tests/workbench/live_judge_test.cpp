@@ -44,13 +44,13 @@ std::shared_ptr<const Image> edges_along(const ReferenceLines& lines,
   return edges;
 }
 
-JudgeRequest request(uint64_t id, int size_px = 96) {
+JudgeRequest judge_request(uint64_t id, int size_px = 96) {
   const auto lines = circle_lines(size_px, static_cast<float>(size_px) / 3);
   return {.id = id, .view = {edges_along(*lines, {LineClass::silhouette}), lines}};
 }
 
 /// Waits for a result; none after half a minute.
-std::optional<Judgement> wait_for(LiveJudge& live) {
+std::optional<Judgement> wait_for_judgement(LiveJudge& live) {
   const auto end = Clock::now() + std::chrono::seconds(30);
   while (Clock::now() < end) {
     if (std::optional<Judgement> result = live.poll()) return result;
@@ -60,7 +60,7 @@ std::optional<Judgement> wait_for(LiveJudge& live) {
 }
 
 TEST(Judge, equals_the_measures_of_a_study) {
-  const JudgeRequest asked = request(7);
+  const JudgeRequest asked = judge_request(7);
   const Judgement result = judge(asked);
   const LineView view = line_view(drawn_lines(*asked.view.edges), *asked.view.lines);
   EXPECT_EQ(measures_json(result.measures), measures_json(measures_of(tally_view(view, *asked.view.lines))));
@@ -76,7 +76,7 @@ TEST(Judge, equals_the_measures_of_a_study) {
 }
 
 TEST(Judge, compares_with_the_full_mesh_where_it_is_given) {
-  JudgeRequest asked = request(1);
+  JudgeRequest asked = judge_request(1);
   asked.full = asked.view;
   const Judgement same = judge(asked);
   ASSERT_TRUE(same.ladder);
@@ -111,11 +111,11 @@ TEST(Judge, lines_of_tier_2_are_neither_right_nor_wrong) {
 }
 
 TEST(Judge, what_does_not_fit_together_is_an_error) {
-  JudgeRequest other_size = request(1);
+  JudgeRequest other_size = judge_request(1);
   other_size.view.lines = circle_lines(64, 20);
   EXPECT_THAT(error_of([&] { judge(other_size); }), HasSubstr("96 x 96 against 64 x 64"));
   error_of([&] { judge({}); });
-  JudgeRequest tolerance = request(1);
+  JudgeRequest tolerance = judge_request(1);
   tolerance.tolerance_px = std::nan("");
   EXPECT_THAT(error_of([&] { judge(tolerance); }), HasSubstr("give 0 to 100"));
 }
@@ -125,11 +125,11 @@ TEST(LiveJudge, gives_each_result_once) {
   LiveJudge live([&] { ++woken; });
   EXPECT_FALSE(live.poll());
   EXPECT_FALSE(live.is_busy());
-  live.submit(request(3));
-  const std::optional<Judgement> result = wait_for(live);
+  live.submit(judge_request(3));
+  const std::optional<Judgement> result = wait_for_judgement(live);
   ASSERT_TRUE(result);
   EXPECT_EQ(result->id, 3U);
-  EXPECT_EQ(measures_json(result->measures), measures_json(judge(request(3)).measures));
+  EXPECT_EQ(measures_json(result->measures), measures_json(judge(judge_request(3)).measures));
   EXPECT_FALSE(live.poll());
   const auto end = Clock::now() + std::chrono::seconds(30);
   while (woken == 0 && Clock::now() < end) std::this_thread::yield();
@@ -138,22 +138,22 @@ TEST(LiveJudge, gives_each_result_once) {
 
 TEST(LiveJudge, errors_come_back_as_results_and_the_next_request_works) {
   LiveJudge live;
-  JudgeRequest bad = request(1);
+  JudgeRequest bad = judge_request(1);
   bad.view.lines = circle_lines(64, 20);
   live.submit(bad);
-  const std::optional<Judgement> result = wait_for(live);
+  const std::optional<Judgement> result = wait_for_judgement(live);
   ASSERT_TRUE(result);
   EXPECT_EQ(result->id, 1U);
   EXPECT_THAT(result->error, HasSubstr("must have one size"));
-  live.submit(request(2));
-  const std::optional<Judgement> next = wait_for(live);
+  live.submit(judge_request(2));
+  const std::optional<Judgement> next = wait_for_judgement(live);
   ASSERT_TRUE(next);
   EXPECT_EQ(next->error, "");
 }
 
 TEST(LiveJudge, the_newest_request_wins_and_submitting_never_waits) {
   LiveJudge live;
-  const JudgeRequest large = request(0, 512);
+  const JudgeRequest large = judge_request(0, 512);
   const double seconds_alone = judge(large).seconds;
   constexpr int kRequests = 2000;
   const auto start = Clock::now();
@@ -167,7 +167,7 @@ TEST(LiveJudge, the_newest_request_wins_and_submitting_never_waits) {
   uint64_t last = 0;
   int results = 0;
   while (last < kRequests) {
-    const std::optional<Judgement> result = wait_for(live);
+    const std::optional<Judgement> result = wait_for_judgement(live);
     ASSERT_TRUE(result);
     EXPECT_GT(result->id, last) << "results are in order";
     last = result->id;
@@ -187,9 +187,9 @@ TEST(LiveJudge, ends_without_starting_what_waits) {
     first_is_done.set_value();
     may_go_on.get_future().wait();
   });
-  live->submit(request(1));
+  live->submit(judge_request(1));
   first_is_done.get_future().wait();
-  live->submit(request(2));
+  live->submit(judge_request(2));
   std::thread closer([&] { live.reset(); });
   std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the closer waits for the worker by now
   may_go_on.set_value();
@@ -198,7 +198,7 @@ TEST(LiveJudge, ends_without_starting_what_waits) {
 }
 
 TEST(LiveJudge, a_stopped_judgement_skips_the_rest) {
-  const Judgement result = judge(request(1), [] { return true; });
+  const Judgement result = judge(judge_request(1), [] { return true; });
   EXPECT_EQ(result.maps.matched.width_px(), 0);
   EXPECT_FALSE(result.recall[0]);
 }

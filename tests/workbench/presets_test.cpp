@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-Settings tuned() {
+Settings tuned_settings() {
   Settings settings = paper_settings();
   settings.combine.k_depth = 0.1F / 3.0F;
   settings.models[0].mesh = "/tmp/a \"quoted\" name.ply";
@@ -26,10 +26,10 @@ Settings tuned() {
 TEST(Presets, come_back_equal) {
   const TemporaryFolder folder;
   const PresetStore store(folder.path() / "not" / "there" / "yet");
-  const auto path = store.save("Fine lines", tuned());
+  const auto path = store.save("Fine lines", tuned_settings());
   EXPECT_EQ(path, store.folder() / "Fine lines.toml");
-  EXPECT_EQ(text(store.load("Fine lines")), text(tuned()));
-  EXPECT_EQ(text(load_settings(path)), text(tuned())) << "a preset is a scene file";
+  EXPECT_EQ(text(store.load("Fine lines")), text(tuned_settings()));
+  EXPECT_EQ(text(load_settings(path)), text(tuned_settings())) << "a preset is a scene file";
   EXPECT_THAT(read_file(path), StartsWith(std::string(kPresetMark)));
 }
 
@@ -37,7 +37,7 @@ TEST(Presets, are_listed_by_name) {
   const TemporaryFolder folder;
   const PresetStore store(folder.path());
   EXPECT_THAT(PresetStore(folder.path() / "none").list(), IsEmpty());
-  for (const char* name : {"zebra", "Äpfel", "a.b", "10 %"}) store.save(name, tuned());
+  for (const char* name : {"zebra", "Äpfel", "a.b", "10 %"}) store.save(name, tuned_settings());
   folder.write("notes.txt", "");
   folder.write("half.toml.part1-1", "");
   folder.write("folder.toml/x", "");
@@ -61,10 +61,10 @@ TEST(Presets, of_two_windows_are_all_there) {
 TEST(Presets, are_not_overwritten_unless_asked) {
   const TemporaryFolder folder;
   const PresetStore store(folder.path());
-  store.save("one", tuned());
+  store.save("one", tuned_settings());
   EXPECT_EQ(error_of([&] { store.save("one", paper_settings()); }),
             "preset: there is one named 'one' already; overwrite it or choose another name");
-  EXPECT_EQ(text(store.load("one")), text(tuned()));
+  EXPECT_EQ(text(store.load("one")), text(tuned_settings()));
   store.save("one", paper_settings(), true);
   EXPECT_EQ(text(store.load("one")), text(paper_settings()));
 }
@@ -76,7 +76,7 @@ TEST(Presets, names_that_cannot_be_files_are_errors) {
        {std::string(), std::string("../up"), std::string("a/b"), std::string("a\\b"), std::string(".hidden"),
         std::string(".."), std::string(" a"), std::string("a "), std::string("a."), std::string("a\nb"),
         std::string("a\0b", 3), std::string("a:b"), std::string("\xff\xfe"), std::string(101, 'x')}) {
-    EXPECT_THAT(error_of([&] { store.save(name, tuned()); }),
+    EXPECT_THAT(error_of([&] { store.save(name, tuned_settings()); }),
                 AllOf(StartsWith("preset: the name "), HasSubstr("use letters")));
     EXPECT_THAT(error_of([&] { store.load(name); }), StartsWith("preset: the name "));
     EXPECT_THAT(error_of([&] { store.remove(name); }), StartsWith("preset: the name "));
@@ -87,7 +87,7 @@ TEST(Presets, names_that_cannot_be_files_are_errors) {
 TEST(Presets, a_missing_one_is_an_error_with_the_nearest_name) {
   const TemporaryFolder folder;
   const PresetStore store(folder.path());
-  store.save("fine lines", tuned());
+  store.save("fine lines", tuned_settings());
   EXPECT_EQ(error_of([&] { store.load("fine line"); }),
             "preset: there is none named 'fine line'; did you mean 'fine lines'?");
   EXPECT_THAT(error_of([&] { store.remove("fine line"); }), HasSubstr("did you mean"));
@@ -96,20 +96,20 @@ TEST(Presets, a_missing_one_is_an_error_with_the_nearest_name) {
 TEST(Presets, damage_is_named_by_file_and_line_and_touches_nothing) {
   const TemporaryFolder folder;
   const PresetStore store(folder.path());
-  store.save("good", tuned());
+  store.save("good", tuned_settings());
   const auto bad = folder.write("bad.toml", "[combine]\nk_depth = 7\n");
   EXPECT_THAT(error_of([&] { store.load("bad"); }), StartsWith(bad.string() + ":2: combine.k_depth = 7"));
   folder.write("bad.toml", "[combine]\nk_depth = \n");
   EXPECT_THAT(error_of([&] { store.load("bad"); }), StartsWith(bad.string() + ":2: not valid TOML"));
-  EXPECT_EQ(text(store.load("good")), text(tuned()));
+  EXPECT_EQ(text(store.load("good")), text(tuned_settings()));
   EXPECT_EQ(read_file(bad), "[combine]\nk_depth = \n");
 }
 
 TEST(Presets, are_deleted) {
   const TemporaryFolder folder;
   const PresetStore store(folder.path());
-  store.save("one", tuned());
-  store.save("two", tuned());
+  store.save("one", tuned_settings());
+  store.save("two", tuned_settings());
   store.remove("one");
   EXPECT_THAT(store.list(), ElementsAre("two"));
 }
@@ -117,13 +117,13 @@ TEST(Presets, are_deleted) {
 TEST(Presets, a_failed_save_keeps_the_old_one) {
   const TemporaryFolder folder;
   const PresetStore store(folder.path());
-  store.save("one", tuned());
+  store.save("one", tuned_settings());
   {
     const FileSizeLimit full(64);
     error_of([&] { store.save("one", paper_settings(), true); }, ErrorKind::work);
   }
   EXPECT_THAT(store.list(), ElementsAre("one"));
-  EXPECT_EQ(text(store.load("one")), text(tuned()));
+  EXPECT_EQ(text(store.load("one")), text(tuned_settings()));
 }
 
 TEST(Presets, comparing_shows_just_what_differs) {
@@ -160,7 +160,7 @@ TEST(Presets, comparing_shows_all_digits_where_four_look_the_same) {
 }
 
 TEST(Presets, comparing_equal_ones_shows_nothing) {
-  const std::vector<NamedSettings> all{{"a", tuned()}, {"b", tuned()}};
+  const std::vector<NamedSettings> all{{"a", tuned_settings()}, {"b", tuned_settings()}};
   EXPECT_EQ(table_text(compare_settings(all)), "no parameter differs\n");
   EXPECT_TRUE(compare_settings({}).rows.empty());
 }

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-Session with_k(float k) {
+Session session_with_k(float k) {
   Session session = first_session();
   session.settings.combine.k_depth = k;
   return session;
@@ -33,7 +33,7 @@ class SessionStoreTest : public testing::Test {
   void crash_with(float k) const {
     SessionStore store(path());
     store.load();
-    store.autosave(with_k(k));
+    store.autosave(session_with_k(k));
   }
 
   TemporaryFolder folder_;
@@ -50,24 +50,24 @@ TEST_F(SessionStoreTest, what_was_closed_comes_back) {
   {
     SessionStore store(path());
     store.load();
-    EXPECT_TRUE(store.autosave(with_k(0.5F)));
-    store.close(with_k(0.25F));
+    EXPECT_TRUE(store.autosave(session_with_k(0.5F)));
+    store.close(session_with_k(0.25F));
   }
   SessionStore store(path());
-  EXPECT_EQ(session_text(store.load()), session_text(with_k(0.25F)));
+  EXPECT_EQ(session_text(store.load()), session_text(session_with_k(0.25F)));
   EXPECT_THAT(store.unsaved(), IsEmpty());
   EXPECT_THAT(store.notes(), IsEmpty());
 }
 
 TEST_F(SessionStoreTest, unsaved_work_is_offered_after_a_crash_until_it_is_forgotten) {
-  SessionStore(path()).close(with_k(0.25F));
+  SessionStore(path()).close(session_with_k(0.25F));
   crash_with(0.5F);
   {
     SessionStore store(path());
     EXPECT_EQ(store.load().settings.combine.k_depth, 0.25F);
     ASSERT_THAT(store.unsaved(), SizeIs(1));
-    EXPECT_EQ(session_text(store.unsaved()[0].session), session_text(with_k(0.5F)));
-    store.close(with_k(0.25F));
+    EXPECT_EQ(session_text(store.unsaved()[0].session), session_text(session_with_k(0.5F)));
+    store.close(session_with_k(0.25F));
   }
   {
     SessionStore store(path());
@@ -90,9 +90,9 @@ TEST_F(SessionStoreTest, a_window_without_changes_leaves_nothing_behind) {
 TEST_F(SessionStoreTest, autosaves_only_what_has_changed) {
   SessionStore store(path());
   store.load();
-  EXPECT_TRUE(store.autosave(with_k(0.5F)));
-  EXPECT_FALSE(store.autosave(with_k(0.5F)));
-  EXPECT_TRUE(store.autosave(with_k(0.6F)));
+  EXPECT_TRUE(store.autosave(session_with_k(0.5F)));
+  EXPECT_FALSE(store.autosave(session_with_k(0.5F)));
+  EXPECT_TRUE(store.autosave(session_with_k(0.6F)));
 }
 
 TEST_F(SessionStoreTest, a_killed_process_leaves_its_work) {
@@ -100,7 +100,7 @@ TEST_F(SessionStoreTest, a_killed_process_leaves_its_work) {
   if (child == 0) {
     SessionStore store(path());
     store.load();
-    store.autosave(with_k(0.5F));
+    store.autosave(session_with_k(0.5F));
     raise(SIGKILL);
   }
   int status = 0;
@@ -116,18 +116,18 @@ TEST_F(SessionStoreTest, two_windows_keep_apart) {
   SessionStore b(path());
   a.load();
   b.load();
-  a.autosave(with_k(0.1F));
-  b.autosave(with_k(0.2F));
+  a.autosave(session_with_k(0.1F));
+  b.autosave(session_with_k(0.2F));
   {
     SessionStore third(path());
     EXPECT_THAT(third.unsaved(), IsEmpty()) << "both are alive";
     third.load();
-    third.autosave(with_k(0.3F));
-    third.close(with_k(0.3F));
+    third.autosave(session_with_k(0.3F));
+    third.close(session_with_k(0.3F));
   }
-  a.close(with_k(0.15F));
+  a.close(session_with_k(0.15F));
   EXPECT_EQ(SessionStore(path()).load().settings.combine.k_depth, 0.15F);
-  b.close(with_k(0.25F));
+  b.close(session_with_k(0.25F));
   EXPECT_EQ(SessionStore(path()).load().settings.combine.k_depth, 0.25F) << "the last one decides";
 }
 
@@ -138,7 +138,7 @@ TEST_F(SessionStoreTest, unsaved_work_is_offered_to_one_window_only) {
   EXPECT_THAT(a.unsaved(), SizeIs(1));
   EXPECT_THAT(b.unsaved(), IsEmpty());
   b.load();
-  b.autosave(with_k(0.9F));
+  b.autosave(session_with_k(0.9F));
   EXPECT_EQ(a.unsaved()[0].session.settings.combine.k_depth, 0.5F);
 }
 
@@ -148,9 +148,9 @@ TEST_F(SessionStoreTest, several_crashes_are_offered_newest_first) {
     SessionStore b(path());
     SessionStore c(path());
     b.load();
-    b.autosave(with_k(0.2F));
-    a.autosave(with_k(0.1F));
-    c.autosave(with_k(0.3F));
+    b.autosave(session_with_k(0.2F));
+    a.autosave(session_with_k(0.1F));
+    c.autosave(session_with_k(0.3F));
   }
   const auto age = [&](const char* window, int hours) {
     fs::last_write_time(path() / "windows" / window / "autosave.toml",
@@ -186,13 +186,13 @@ TEST_F(SessionStoreTest, a_damaged_session_is_put_aside_and_does_not_block) {
 }
 
 TEST_F(SessionStoreTest, a_session_of_a_newer_version_is_kept_but_for_what_is_unknown) {
-  std::string content = "[fog]\nnear = 1\n" + session_text(with_k(0.25F));
+  std::string content = "[fog]\nnear = 1\n" + session_text(session_with_k(0.25F));
   for (int i = 0; i < 9; ++i) content += "new_" + std::to_string(i) + " = 1\n";  // of the last light
   for (const char* name : {"session.toml", "windows/1/autosave.toml"}) folder_.write(name, content);
   SessionStore store(path());
-  EXPECT_EQ(session_text(store.load()), session_text(with_k(0.25F)));
+  EXPECT_EQ(session_text(store.load()), session_text(session_with_k(0.25F)));
   ASSERT_THAT(store.unsaved(), SizeIs(1));
-  EXPECT_EQ(session_text(store.unsaved()[0].session), session_text(with_k(0.25F)));
+  EXPECT_EQ(session_text(store.unsaved()[0].session), session_text(session_with_k(0.25F)));
   ASSERT_THAT(store.notes(), SizeIs(2));
   EXPECT_THAT(store.notes()[1], AllOf(HasSubstr("session.toml: left out"), HasSubstr(": fog (line 1), "),
                                       HasSubstr("new_0"), HasSubstr(" and 2 more")));
@@ -202,7 +202,7 @@ TEST_F(SessionStoreTest, a_session_of_a_newer_version_is_kept_but_for_what_is_un
 
 TEST_F(SessionStoreTest, windows_keep_each_others_recent_files_and_bookmarks) {
   const auto recent = [&](const char* name) { return folder_.write(name, "x"); };
-  Session before = with_k(0.1F);
+  Session before = session_with_k(0.1F);
   before.recent = {recent("old")};
   before.bookmarks = {{"stays", 1, {}}, {"goes", 2, {}}};
   SessionStore(path()).close(before);
@@ -257,7 +257,7 @@ TEST_F(SessionStoreTest, a_damaged_autosave_is_put_aside) {
   EXPECT_THAT(store.notes(), ElementsAre(HasSubstr("autosave.toml.bad")));
   EXPECT_EQ(file("windows/1/autosave.toml.bad"), "[session");
   store.load();
-  EXPECT_TRUE(store.autosave(with_k(0.5F)));
+  EXPECT_TRUE(store.autosave(session_with_k(0.5F)));
 }
 
 TEST_F(SessionStoreTest, a_folder_that_cannot_be_written_is_a_note) {
@@ -265,24 +265,24 @@ TEST_F(SessionStoreTest, a_folder_that_cannot_be_written_is_a_note) {
   SessionStore store(path() / "in_the_way");
   EXPECT_THAT(store.notes(), ElementsAre(HasSubstr("unsaved work cannot be kept")));
   EXPECT_EQ(text(store.load().settings), text(paper_settings()));
-  EXPECT_FALSE(store.autosave(with_k(0.5F)));
-  error_of([&] { store.close(with_k(0.5F)); }, ErrorKind::work);
+  EXPECT_FALSE(store.autosave(session_with_k(0.5F)));
+  error_of([&] { store.close(session_with_k(0.5F)); }, ErrorKind::work);
 }
 
 TEST_F(SessionStoreTest, a_full_disk_keeps_the_autosave_before) {
   SessionStore store(path());
   store.load();
-  store.autosave(with_k(0.5F));
+  store.autosave(session_with_k(0.5F));
   {
     const FileSizeLimit full(64);
-    error_of([&] { store.autosave(with_k(0.6F)); }, ErrorKind::work);
-    error_of([&] { store.close(with_k(0.6F)); }, ErrorKind::work);
+    error_of([&] { store.autosave(session_with_k(0.6F)); }, ErrorKind::work);
+    error_of([&] { store.close(session_with_k(0.6F)); }, ErrorKind::work);
   }
-  EXPECT_EQ(file("windows/1/autosave.toml"), session_text(with_k(0.5F)));
+  EXPECT_EQ(file("windows/1/autosave.toml"), session_text(session_with_k(0.5F)));
 }
 
 TEST_F(SessionStoreTest, a_scene_file_that_is_gone_is_a_note_and_its_settings_stay) {
-  Session session = with_k(0.5F);
+  Session session = session_with_k(0.5F);
   session.scene = path() / "gone.toml";
   session.recent = {path() / "gone.toml"};
   SessionStore(path()).close(session);
@@ -303,7 +303,7 @@ TEST_F(SessionStoreTest, windows_that_start_at_once_take_places_of_their_own) {
     if (child == 0) {
       SessionStore store(path());
       store.load();
-      store.autosave(with_k(0.01F * static_cast<float>(i + 1)));
+      store.autosave(session_with_k(0.01F * static_cast<float>(i + 1)));
       usleep(300'000);  // all are alive together
       _exit(static_cast<int>(store.unsaved().size()));
     }
