@@ -37,10 +37,11 @@ install_missing() {
     die "apt-get could not install:$missing"
 }
 
-# build_preset PRESET [TARGET...]: configures once, then builds; prints only what matters.
+# build_preset PRESET TESTS [TARGET...]: configures once, then builds; prints only what matters. TESTS is ON or OFF: whether
+# the tests belong to it; a folder that has them keeps them.
 build_preset() {
-  local preset=$1 folder=$root/build/$1
-  shift
+  local preset=$1 tests=$2 folder=$root/build/$1
+  shift 2
   mkdir -p "$folder"
   # A build folder remembers where its sources were; a moved or copied one starts over.
   if [ -f "$folder/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
@@ -50,14 +51,22 @@ build_preset() {
     flock 9 # two starts at once: the second waits for the first one's build
     if [ ! -f "$folder/build.ninja" ]; then
       say "configuring and building ($preset); the first time takes a few minutes"
-      (cd "$root" && cmake --preset "$preset") >"$folder/configure.log" 2>&1 || {
-        cat "$folder/configure.log" >&2
-        die "cmake could not configure $folder"
-      }
+      configure "$preset" "$tests"
+    elif [ "$tests" = ON ] && ! grep -q '^INKBENCH_TESTS:.*=ON$' "$folder/CMakeCache.txt"; then
+      configure "$preset" ON
     fi
     ninja -C "$folder" "$@" >"$folder/build.log" 2>&1 || {
       grep -v '^\[[0-9]*/[0-9]*\]' "$folder/build.log" | tail -n 60 >&2
       die "the build failed; all of its output is in $folder/build.log"
     }
   ) 9>"$folder/.lock"
+}
+
+# configure PRESET TESTS
+configure() {
+  local log=$root/build/$1/configure.log
+  (cd "$root" && cmake --preset "$1" -D INKBENCH_TESTS="$2") >"$log" 2>&1 || {
+    cat "$log" >&2
+    die "cmake could not configure build/$1"
+  }
 }
