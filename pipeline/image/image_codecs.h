@@ -11,7 +11,6 @@
 namespace inkbench {
 
 struct ImageDecoder;  ///< The module's own.
-struct PngEncoder;    ///< The module's own.
 
 /// The type that samples are handed over as: `byte` uint8_t, `real` float.
 enum class SampleType { byte, real };
@@ -22,12 +21,6 @@ struct ImageShape {
   int height_px = 0;
   int depth = 1;
   int channels = 0;
-};
-
-/// Takes what an encoder writes; false stops it. It lets no exception out, since C frames lie between.
-struct ByteSink {
-  void* owner = nullptr;
-  bool (*take)(void* owner, std::string_view bytes) noexcept = nullptr;
 };
 
 /// Where a function tells of a `problem`, that is the library's own text in one line, and the function gives
@@ -43,20 +36,10 @@ struct ImageCodecs {
   /// All rows from the top, channels interleaved. May throw what is a std::exception.
   bool (*decode)(ImageDecoder& decoder, SampleType type, void* samples, std::string& problem);
 
-  /// A PNG of 8 bits into `sink`, without text chunks.
-  PngEncoder* (*start_png)(const ImageShape& shape, ByteSink sink, const std::string& name,
-                           std::string& problem);
-  /// The rows from `begin` to before `end`, in order.
-  bool (*write_rows)(PngEncoder& encoder, int begin, int end, const uint8_t* samples, std::string& problem);
-  bool (*finish_png)(PngEncoder& encoder, std::string& problem);
-  void (*close_png)(PngEncoder* encoder);
-
-  /// A whole file in memory; `encode_exr` as `write_exr` and `encode_webp` as `encode_webp` say.
+  /// A whole file in memory, as `write_exr` says.
   bool (*encode_exr)(const ImageShape& shape, const float* samples,
                      const std::map<std::string, std::string>& text, const std::string& name,
                      std::string& encoded, std::string& problem);
-  bool (*encode_webp)(const ImageShape& shape, const uint8_t* samples, int quality, std::string& encoded,
-                      std::string& problem);
 };
 
 /// Opens the module at the first call. Errors (work): it is missing or cannot be opened.

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <new>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -20,73 +18,6 @@ namespace inkbench {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr size_t kBufferBytes = size_t{1} << 18;
-
-std::span<const uint8_t> as_bytes(std::string_view text) {
-  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
-}
-
-/// Takes a PNG as libpng writes it, sets our text chunks behind its head and hands all to a pending file.
-/// Errors are kept for `check`, since none may pass through libpng's C frames.
-class PngFile {
- public:
-  PngFile(const fs::path& path, const ImageText& text) : file_(path) {
-    for (const auto& [name, value] : text) chunks_ += png_text_chunk(name, value);
-  }
-  PngFile(const PngFile&) = delete;
-  PngFile& operator=(const PngFile&) = delete;
-
-  /// Holds this file's address.
-  ByteSink sink() {
-    return {this, [](void* owner, std::string_view bytes) noexcept {
-              return static_cast<PngFile*>(owner)->take(bytes);
-            }};
-  }
-
-  void check() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-  void commit() {
-    flush_buffer();
-    check();
-    file_.commit();
-  }
-
- private:
-  bool take(std::string_view bytes) noexcept {
-    try {
-      const size_t before_text =
-          position_ < kPngHeadBytes ? std::min(bytes.size(), kPngHeadBytes - position_) : 0;
-      position_ += bytes.size();
-      buffer_ += bytes.substr(0, before_text);
-      if (before_text > 0 && position_ >= kPngHeadBytes) buffer_ += chunks_;
-      buffer_ += bytes.substr(before_text);
-      if (buffer_.size() >= kBufferBytes) flush_buffer();
-    } catch (...) {
-      failure_ = std::current_exception();
-    }
-    return !failure_;
-  }
-  void flush_buffer() {
-    try {
-      if (!failure_) file_.append(as_bytes(buffer_));
-    } catch (...) {
-      failure_ = std::current_exception();
-    }
-    buffer_.clear();
-  }
-
-  PendingFile file_;
-  std::string chunks_;
-  std::string buffer_;
-  size_t position_ = 0;  // of what libpng wrote, our chunks not counted
-  std::exception_ptr failure_;
-};
-
-Error encoding_error(const std::string& name, const std::string& problem) {
-  return work_error(name, "cannot be encoded", problem);
-}
 
 /// A decoder and the file's bytes, which it reads from.
 struct OpenImage {
@@ -191,82 +122,14 @@ Picture with_channels(Picture picture, int channels) {
 
 }  // namespace
 
-struct PngStripWriter::State {
-  fs::path path;
-  int width_px, height_px, channels;
-  PngFile file;
-  // After `file`, which it writes to until it is gone.
-  std::unique_ptr<PngEncoder, void (*)(PngEncoder*)> encoder{nullptr, image_codecs().close_png};
-  int rows_written = 0;
-
-  /// A failure of the file goes before the encoder's, which it caused.
-  void check(bool good, const std::string& problem) const {
-    file.check();
-    if (!good) throw encoding_error(path.string(), problem);
-  }
-};
-
-PngStripWriter::PngStripWriter(const fs::path& path, int width_px, int height_px, int channels,
-                               const ImageText& text) {
-  assert(width_px > 0 && height_px > 0 && (channels == 1 || channels == 3 || channels == 4));
-  if (path.has_parent_path()) make_folder(path.parent_path());
-  state_.reset(new State{path, width_px, height_px, channels, PngFile(path, text)});
-  std::string problem;
-  state_->encoder.reset(image_codecs().start_png({width_px, height_px, 1, channels}, state_->file.sink(),
-                                                 path.string(), problem));
-  if (!state_->encoder) throw encoding_error(path.string(), problem);
-}
-
-PngStripWriter::~PngStripWriter() = default;
-
-void PngStripWriter::write(const Picture& strip) {
-  State& s = *state_;
-  assert(strip.width_px == s.width_px && strip.channels == s.channels);
-  assert(s.rows_written + strip.height_px <= s.height_px);
-  // A few rows at a time: OpenImageIO copies what it is given before it encodes it.
-  constexpr int kRows = 64;
-  for (int row = 0; row < strip.height_px; row += kRows) {
-    const int end = s.rows_written + std::min(kRows, strip.height_px - row);
-    std::string problem;
-    const uint8_t* from = &strip.samples[strip.index(0, row)];
-    const bool good = image_codecs().write_rows(*s.encoder, s.rows_written, end, from, problem);
-    s.check(good, problem);
-    s.rows_written = end;
-  }
-}
-
-void PngStripWriter::finish() {
-  State& s = *state_;
-  assert(s.rows_written == s.height_px);
-  std::string problem;
-  const bool good = image_codecs().finish_png(*s.encoder, problem);
-  s.check(good, problem);
-  s.file.commit();
-}
-
-void write_png(const fs::path& path, const Picture& picture, const ImageText& text) {
-  PngStripWriter writer(path, picture.width_px, picture.height_px, picture.channels, text);
-  writer.write(picture);
-  writer.finish();
-}
-
 void write_exr(const fs::path& path, const Image& image, const ImageText& text) {
   assert(image.channels == 1 || image.channels == 3 || image.channels == 4);
   const ImageShape shape{image.width_px, image.height_px, 1, image.channels};
   // In memory first: OpenEXR goes back to fill in its table of offsets.
   std::string encoded, problem;
   if (!image_codecs().encode_exr(shape, image.samples.data(), text, path.string(), encoded, problem))
-    throw encoding_error(path.string(), problem);
+    throw work_error(path.string(), "cannot be encoded", problem);
   write_file_atomically(path, encoded);
-}
-
-std::string encode_webp(const Picture& picture, int quality) {
-  assert(picture.channels == 3);
-  const ImageShape shape{picture.width_px, picture.height_px, 1, picture.channels};
-  std::string encoded, problem;
-  if (!image_codecs().encode_webp(shape, picture.samples.data(), quality, encoded, problem))
-    throw encoding_error("thumbnail.webp", problem);
-  return encoded;
 }
 
 Picture read_picture(const fs::path& path, int channels) {

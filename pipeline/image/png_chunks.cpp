@@ -1,7 +1,8 @@
 #include "pipeline/image/png_chunks.h"
 
+#include <libdeflate.h>
+
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstdint>
 
@@ -11,21 +12,8 @@ namespace {
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 constexpr size_t kChunkFrameBytes = 12;  // length, type and check sum
 
-constexpr std::array<uint32_t, 256> make_crc_table() {
-  std::array<uint32_t, 256> table{};
-  for (uint32_t i = 0; i < 256; ++i) {
-    uint32_t value = i;
-    for (int bit = 0; bit < 8; ++bit) value = (value & 1) != 0 ? 0xedb88320U ^ (value >> 1) : value >> 1;
-    table[i] = value;
-  }
-  return table;
-}
-
 uint32_t crc32(std::string_view bytes) {
-  static constexpr std::array<uint32_t, 256> kTable = make_crc_table();
-  uint32_t crc = 0xffffffffU;
-  for (const char byte : bytes) crc = kTable[(crc ^ static_cast<uint8_t>(byte)) & 0xff] ^ (crc >> 8);
-  return ~crc;
+  return libdeflate_crc32(0, bytes.data(), bytes.size());
 }
 
 std::string big_endian(uint32_t value) {
@@ -44,7 +32,34 @@ bool is_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<uint8_t>(c) < 0x80; });
 }
 
+/// `body` begins with the chunk's type.
+std::string framed(const std::string& body) {
+  return big_endian(static_cast<uint32_t>(body.size() - 4)) + body + big_endian(crc32(body));
+}
+
 }  // namespace
+
+std::string png_open(int width_px, int height_px, int channels) {
+  assert(channels == 1 || channels == 3 || channels == 4);
+  constexpr char kGrey = 0, kColour = 2, kColourAndAlpha = 6, kBits = 8;
+  const char type = channels == 1 ? kGrey : channels == 3 ? kColour : kColourAndAlpha;
+  const std::string body = big_endian(static_cast<uint32_t>(width_px)) +
+                           big_endian(static_cast<uint32_t>(height_px)) + kBits + type + std::string(3, '\0');
+  return std::string(kSignature) + make_png_chunk("IHDR", body);
+}
+
+std::string make_png_chunk(std::string_view type, std::string_view body) {
+  assert(type.size() == 4);
+  return framed(std::string(type).append(body));
+}
+
+std::string png_srgb_chunks() {
+  std::string primaries;  // white, red, green, blue: x and y in 100,000ths
+  for (const uint32_t value : {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000})
+    primaries += big_endian(value);
+  return make_png_chunk("gAMA", big_endian(45455)) + make_png_chunk("sRGB", std::string_view("\0", 1)) +
+         make_png_chunk("cHRM", primaries);
+}
 
 std::string png_text_chunk(std::string_view name, std::string_view text) {
   assert(!name.empty() && name.size() <= 79 && is_ascii(name));
@@ -54,7 +69,7 @@ std::string png_text_chunk(std::string_view name, std::string_view text) {
   // iTXt: end of name, not compressed (two bytes), no language, no translated name.
   body.append(plain ? 1 : 5, '\0');
   body += text;
-  return big_endian(static_cast<uint32_t>(body.size() - 4)) + body + big_endian(crc32(body));
+  return framed(body);
 }
 
 bool is_png(std::string_view content) {

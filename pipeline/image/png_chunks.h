@@ -1,5 +1,5 @@
-// The two things about PNG files that OpenImageIO leaves undone: text under any name and in any script, and
-// telling a whole file from one cut off. In and out: bytes.
+// The chunks that a PNG file is made of, text under any name and in any script among them, and telling a
+// whole file from one cut off or damaged. In and out: bytes.
 #pragma once
 
 #include <string>
@@ -7,8 +7,15 @@
 
 namespace inkbench {
 
-/// The length of the signature and the IHDR chunk, which open every PNG; further chunks may follow from here.
-inline constexpr size_t kPngHeadBytes = 33;
+/// The signature and the IHDR chunk, which open every PNG: 8 bits a sample, 1, 3 or 4 channels.
+std::string png_open(int width_px, int height_px, int channels);
+
+/// Any chunk. `type` has four letters.
+std::string make_png_chunk(std::string_view type, std::string_view body);
+
+/// What says that samples are sRGB; with its gamma and primaries for programs that know sRGB by those alone.
+/// Source: PNG specification (third edition), 11.3.2.5.
+std::string png_srgb_chunks();
 
 /// A text chunk. ASCII goes into tEXt, which every program reads; anything else into iTXt, since tEXt is
 /// Latin-1. `name` is 1 to 79 bytes of ASCII. Source: PNG specification (third edition), 11.3.3.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "pipeline/image/image_file.h"
+#include "pipeline/image/webp_file.h"
 #include "studies/report/html_text.h"
 #include "studies/report/scaling.h"
 

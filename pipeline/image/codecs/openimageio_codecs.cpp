@@ -26,40 +26,6 @@ struct ImageDecoder {
 
 namespace {
 
-/// Hands on what libpng writes.
-class SinkProxy final : public OIIO::Filesystem::IOProxy {
- public:
-  SinkProxy(const std::string& name, ByteSink sink) : IOProxy(name, Write), sink_(sink) {}
-
-  const char* proxytype() const override { return "inkbench"; }
-  using IOProxy::write;  // The span overload, which this class does not replace.
-  size_t write(const void* data, size_t size) override {
-    position_ += size;
-    return sink_.take(sink_.owner, {static_cast<const char*>(data), size}) ? size : 0;
-  }
-  int64_t tell() override { return static_cast<int64_t>(position_); }
-
- private:
-  ByteSink sink_;
-  size_t position_ = 0;
-};
-
-}  // namespace
-
-struct PngEncoder {
-  SinkProxy sink;
-  std::unique_ptr<ImageOutput> output;  // After `sink`, which it writes to until it is gone.
-};
-
-namespace {
-
-// Measured on three cartoon pictures of 1024 x 1024 x 3 (flat, smooth, normal-mapped), one core: level 5
-// without row filters takes 9, 13, 23 ms and packs 102:1, 28:1, 14:1. Level 6 costs up to 33 % more time for
-// 4 to 22 % fewer bytes. Row filters hide the repeats that flat colour has: the default (level 6, all
-// filters) takes 22, 72, 98 ms and packs smooth shading worse, 20:1.
-constexpr int kPngLevel = 5;
-constexpr int kPngFilterNone = 8;  // libpng's PNG_FILTER_NONE
-
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
@@ -123,30 +89,6 @@ bool decode(ImageDecoder& decoder, SampleType type, void* samples, std::string& 
   return told(decoder.input->read_image(0, 0, 0, channels, format, samples), *decoder.input, problem);
 }
 
-PngEncoder* start_png(const ImageShape& shape, ByteSink sink, const std::string& name, std::string& problem) {
-  auto encoder = std::make_unique<PngEncoder>(PngEncoder{{name, sink}, ImageOutput::create("png")});
-  ImageSpec spec(shape.width_px, shape.height_px, shape.channels, TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("png:compressionLevel", kPngLevel);
-  spec.attribute("png:filter", kPngFilterNone);
-  return open_output(encoder->output.get(), name, spec, &encoder->sink, problem) ? encoder.release()
-                                                                                 : nullptr;
-}
-
-bool write_rows(PngEncoder& encoder, int begin, int end, const uint8_t* samples, std::string& problem) {
-  return told(encoder.output->write_scanlines(begin, end, 0, TypeDesc::UINT8, samples), *encoder.output,
-              problem);
-}
-
-bool finish_png(PngEncoder& encoder, std::string& problem) {
-  return told(encoder.output->close(), *encoder.output, problem);
-}
-
-void close_png(PngEncoder* encoder) {
-  delete encoder;
-}
-
 /// A file that is written whole into memory, where its encoder may go back.
 bool encode(const char* format, const std::string& name, const ImageSpec& spec, const void* samples,
             std::string& encoded, std::string& problem) {
@@ -172,24 +114,12 @@ bool encode_exr(const ImageShape& shape, const float* samples, const std::map<st
   return encode("openexr", name, spec, samples, encoded, problem);
 }
 
-bool encode_webp(const ImageShape& shape, const uint8_t* samples, int quality, std::string& encoded,
-                 std::string& problem) {
-  ImageSpec spec(shape.width_px, shape.height_px, shape.channels, TypeDesc::UINT8);
-  spec.attribute("Compression", "webp:" + std::to_string(quality));
-  return encode("webp", "picture.webp", spec, samples, encoded, problem);
-}
-
 constexpr ImageCodecs kCodecs = {.open = open,
                                  .close = close,
                                  .shape = shape,
                                  .text = text,
                                  .decode = decode,
-                                 .start_png = start_png,
-                                 .write_rows = write_rows,
-                                 .finish_png = finish_png,
-                                 .close_png = close_png,
-                                 .encode_exr = encode_exr,
-                                 .encode_webp = encode_webp};
+                                 .encode_exr = encode_exr};
 
 }  // namespace
 }  // namespace inkbench
