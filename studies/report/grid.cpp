@@ -25,11 +25,10 @@ void paste(Picture& target, const Picture& source, int x, int y) {
 }
 
 void fill(Picture& picture, int x, int y, int width, int height, uint8_t grey) {
-  for (int row = std::max(0, y); row < std::min(picture.height_px, y + height); ++row) {
-    for (int column = std::max(0, x); column < std::min(picture.width_px, x + width); ++column) {
-      for (int i = 0; i < 3; ++i) picture.at(column, row, i) = grey;
-    }
-  }
+  const int left = std::max(0, x), right = std::min(picture.width_px, x + width);
+  if (left >= right) return;
+  for (int row = std::max(0, y); row < std::min(picture.height_px, y + height); ++row)
+    std::fill_n(&picture.at(left, row), static_cast<size_t>(right - left) * 3, grey);
 }
 
 /// What stands in for a failed cell: pale diagonal hatching, and "failed" where the cell is large enough to
@@ -52,17 +51,6 @@ Picture failed_picture(const GridPlan& plan) {
   fill(picture, left - style.size_px / 2, top, width + style.size_px, height, kFailedGrey);
   draw_text(picture, left, top + baseline_px(style.size_px), word, style);
   return picture;
-}
-
-/// `picture` at the size it has in its cell: as large as fits, its aspect kept.
-Picture fitted_into_cell(const Picture& picture, const GridPlan& plan) {
-  const double scale = std::min(static_cast<double>(plan.cell_width_px) / picture.width_px,
-                                static_cast<double>(plan.cell_height_px) / picture.height_px);
-  const auto side = [&](int length, int limit) {
-    return std::clamp(static_cast<int>(std::lround(length * scale)), 1, limit);
-  };
-  return scaled(picture, side(picture.width_px, plan.cell_width_px),
-                side(picture.height_px, plan.cell_height_px));
 }
 
 /// Draws one sheet in strips that each hold one row of cells and what stands above it.
@@ -117,10 +105,13 @@ class SheetPainter {
       return;
     }
     assert(picture->channels == 3 && picture->width_px > 0 && picture->height_px > 0);
-    const Picture drawn = fitted_into_cell(*picture, plan_);
+    const DrawnSize size =
+        size_in_cell(picture->width_px, picture->height_px, plan_.cell_width_px, plan_.cell_height_px);
     fill(strip_, x, y, plan_.cell_width_px, plan_.cell_height_px, 255);
-    paste(strip_, drawn, x + (plan_.cell_width_px - drawn.width_px) / 2,
-          y + (plan_.cell_height_px - drawn.height_px) / 2);
+    const int left = x + (plan_.cell_width_px - size.width_px) / 2;
+    const int top = y + (plan_.cell_height_px - size.height_px) / 2;
+    const bool as_is = size.width_px == picture->width_px && size.height_px == picture->height_px;
+    paste(strip_, as_is ? *picture : scaled(*picture, size.width_px, size.height_px), left, top);
   }
 
   const Picture& failed() {
@@ -137,6 +128,15 @@ class SheetPainter {
 };
 
 }  // namespace
+
+DrawnSize size_in_cell(int width_px, int height_px, int cell_width_px, int cell_height_px) {
+  const double scale = std::min(static_cast<double>(cell_width_px) / width_px,
+                                static_cast<double>(cell_height_px) / height_px);
+  const auto side = [&](int length, int limit) {
+    return std::clamp(static_cast<int>(std::lround(length * scale)), 1, limit);
+  };
+  return {side(width_px, cell_width_px), side(height_px, cell_height_px)};
+}
 
 std::vector<std::filesystem::path> write_grid(const std::filesystem::path& folder, const GridLayout& layout,
                                               const CellSource& cell, const ImageText& text) {

@@ -30,9 +30,15 @@ struct GridLayout {
   int min_cell_px = 160;    ///< Cells shrink to this longer side before the rest moves to further pages.
 };
 
-/// The cell's picture (3 channels, the layout's cell size), or nothing where the cell failed (drawn hatched,
-/// with "failed"). A picture of another size is fitted into the cell. Called on the thread that called
-/// `write_grid`.
+/// The size that a picture has in a cell: as large as fits, its aspect kept.
+struct DrawnSize {
+  int width_px = 0, height_px = 0;
+};
+DrawnSize size_in_cell(int width_px, int height_px, int cell_width_px, int cell_height_px);
+
+/// The cell's picture (3 channels, the layout's cell size or as it is drawn), or nothing where the cell
+/// failed (drawn hatched, with "failed"). A picture of another size is fitted into the cell. Called on the
+/// thread that called `write_grid`.
 using CellSource = std::function<std::optional<Picture>(int column, int row, int page)>;
 
 /// Writes `folder/grid.png`, and where one picture does not hold all, `folder/grid_2.png`,

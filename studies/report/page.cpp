@@ -14,7 +14,6 @@
 namespace inkbench {
 namespace {
 
-constexpr size_t kMaxChars = 11'500'000;
 constexpr size_t kNamedFailures = 20;
 
 using Fields = std::map<std::string, std::string, std::less<>>;
@@ -144,7 +143,7 @@ size_t thumbnail_room(const StudyPage& page) {
   for (const PageCell& cell : page.cells) pictures += cell.pictures.size();
   constexpr size_t kAround = 16;  // commas, quotes, the entry's name
   const size_t used = page_html(page).size() + kAround * pictures;
-  return kMaxChars - std::min(used, kMaxChars);
+  return kMaxPageChars - std::min(used, kMaxPageChars);
 }
 
 std::string page_html(const StudyPage& page) {

@@ -71,8 +71,11 @@ struct StudyPage {
 /// No more cells than this belong into a page: browsers would be slow, and no thumbnail would be seen.
 inline constexpr size_t kMaxPageCells = 10'000;
 
-/// The room that thumbnails may take, in characters, so that the page stays under 12 MB: what all else in
-/// `page` leaves.
+/// Of the page's text: it stays under 12 MB.
+inline constexpr size_t kMaxPageChars = 11'500'000;
+
+/// The room that thumbnails may take, in characters, so that the page keeps to `kMaxPageChars`: what all else
+/// in `page` leaves.
 size_t thumbnail_room(const StudyPage& page);
 
 /// All texts are made safe. The same page gives the same text. Errors (work): the files of the page's look

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -46,61 +47,106 @@ uint8_t rounded(float code) {
   return static_cast<uint8_t>(std::clamp(code, 0.0F, 255.0F) + 0.5F);
 }
 
-/// The old samples one new sample covers, [first, first + weights.size()), and their shares of it.
+/// Shares of the old samples that new samples cover, one new sample after the other.
 struct Cover {
-  int first = 0;
-  std::vector<float> weights;
+  Samples old;
+  const float* shares;
 };
 
-std::vector<Cover> covers(int old_size, int new_size) {
-  std::vector<Cover> all(new_size);
-  const double step = static_cast<double>(old_size) / new_size;
-  for (int i = 0; i < new_size; ++i) {
-    const double begin = i * step, end = begin + step;
-    const int first = static_cast<int>(begin);
-    const int last = std::min(old_size, static_cast<int>(std::ceil(end - 1e-9)));
-    all[i].first = first;
-    for (int j = first; j < std::max(last, first + 1); ++j) {
-      all[i].weights.push_back(
-          static_cast<float>((std::min(end, j + 1.0) - std::max(begin, 1.0 * j)) / step));
+class Covers {
+ public:
+  /// Of the new samples from `first` up to `end`.
+  Covers(int old_size, int new_size, int first, int end) {
+    const double step = static_cast<double>(old_size) / new_size;
+    for (int i = first; i < end; ++i) {
+      const double begin = i * step;
+      olds_.push_back(covered_samples(old_size, new_size, i));
+      starts_.push_back(shares_.size());
+      for (int j = olds_.back().first; j < olds_.back().end; ++j) {
+        shares_.push_back(
+            static_cast<float>((std::min(begin + step, j + 1.0) - std::max(begin, 1.0 * j)) / step));
+      }
     }
   }
-  return all;
+  size_t size() const { return olds_.size(); }
+  Cover operator[](size_t i) const { return {olds_[i], &shares_[starts_[i]]}; }
+
+ private:
+  std::vector<Samples> olds_;
+  std::vector<size_t> starts_;
+  std::vector<float> shares_;
+};
+
+/// One row's samples, `kChannels` each, taken through `table`, at the columns' width, to `row`. `samples` is
+/// where old column `origin` lies.
+template <int kChannels>
+void scale_row(const uint8_t* samples, int origin, const Covers& columns, const SampleTable& table,
+               float* row) {
+  for (size_t x = 0; x < columns.size(); ++x) {
+    const Cover cover = columns[x];
+    const uint8_t* sample = samples + static_cast<ptrdiff_t>(cover.old.first - origin) * kChannels;
+    std::array<float, kChannels> sum{};
+    for (int j = 0; j < cover.old.end - cover.old.first; ++j, sample += kChannels) {
+      for (int i = 0; i < kChannels; ++i) sum[i] += cover.shares[j] * table[sample[i]];
+    }
+    row = std::copy(sum.begin(), sum.end(), row);
+  }
 }
 
-/// One row of `picture`, its samples taken through `table`, at the width of `columns`.
-std::vector<float> scaled_row(const Picture& picture, int y, const std::vector<Cover>& columns,
-                              const SampleTable& table) {
-  const int channels = picture.channels;
-  std::vector<float> row(columns.size() * channels, 0.0F);
-  for (size_t x = 0; x < columns.size(); ++x) {
-    const uint8_t* sample = &picture.samples[picture.index(columns[x].first, y)];
-    for (const float weight : columns[x].weights) {
-      for (int i = 0; i < channels; ++i) row[x * channels + i] += weight * table[*sample++];
-    }
+using RowScaler = void (*)(const uint8_t*, int, const Covers&, const SampleTable&, float*);
+
+RowScaler row_scaler(int channels) {
+  return channels == 1 ? scale_row<1> : channels == 3 ? scale_row<3> : scale_row<4>;
+}
+
+/// Columns as they are, where nothing is scaled.
+Picture columns_of(const Picture& part, int first, int end) {
+  Picture result(end - first, part.height_px, part.channels);
+  for (int y = 0; y < part.height_px && first < end; ++y) {
+    std::copy_n(&part.samples[part.index(first, y)], static_cast<size_t>(end - first) * part.channels,
+                &result.samples[result.index(0, y)]);
   }
-  return row;
+  return result;
 }
 
 }  // namespace
 
-Picture scaled(const Picture& picture, int width_px, int height_px, Averaging averaging) {
-  if (picture.width_px == width_px && picture.height_px == height_px) return picture;
+Samples covered_samples(int old_size, int new_size, int index) {
+  const double step = static_cast<double>(old_size) / new_size;
+  const double begin = index * step;
+  const int first = static_cast<int>(begin);
+  const int last = std::min(old_size, static_cast<int>(std::ceil(begin + step - 1e-9)));
+  return {first, std::max(last, first + 1)};
+}
+
+Picture scaled_columns(const Picture& part, int origin, const Scaling& scaling, Samples wanted,
+                       Averaging averaging) {
+  assert(part.channels == 1 || part.channels == 3 || part.channels == 4);
+  if (scaling.old_width_px == scaling.width_px && part.height_px == scaling.height_px)
+    return columns_of(part, wanted.first - origin, wanted.end - origin);
   const SampleTable& table = sample_table(averaging);
-  const std::vector<Cover> columns = covers(picture.width_px, width_px);
-  const std::vector<Cover> rows = covers(picture.height_px, height_px);
-  Picture result(width_px, height_px, picture.channels);
+  const Covers columns(scaling.old_width_px, scaling.width_px, wanted.first, wanted.end);
+  const Covers rows(part.height_px, scaling.height_px, 0, scaling.height_px);
+  const RowScaler scale = row_scaler(part.channels);
+  Picture result(wanted.end - wanted.first, scaling.height_px, part.channels);
+  std::vector<float> row(columns.size() * part.channels), sum(row.size());
   auto out = result.samples.begin();
-  for (const Cover& cover : rows) {
-    std::vector<float> sum(columns.size() * picture.channels, 0.0F);
-    for (size_t j = 0; j < cover.weights.size(); ++j) {
-      const std::vector<float> row = scaled_row(picture, cover.first + static_cast<int>(j), columns, table);
-      for (size_t i = 0; i < sum.size(); ++i) sum[i] += cover.weights[j] * row[i];
+  for (size_t y = 0; y < rows.size() && !row.empty(); ++y) {
+    const Cover cover = rows[y];
+    std::fill(sum.begin(), sum.end(), 0.0F);
+    for (int j = cover.old.first; j < cover.old.end; ++j) {
+      scale(&part.samples[part.index(0, j)], origin, columns, table, row.data());
+      const float share = cover.shares[j - cover.old.first];
+      for (size_t i = 0; i < sum.size(); ++i) sum[i] += share * row[i];
     }
     out = averaging == Averaging::light ? std::transform(sum.begin(), sum.end(), out, encoded)
                                         : std::transform(sum.begin(), sum.end(), out, rounded);
   }
   return result;
+}
+
+Picture scaled(const Picture& picture, int width_px, int height_px, Averaging averaging) {
+  return scaled_columns(picture, 0, {picture.width_px, width_px, height_px}, {0, width_px}, averaging);
 }
 
 }  // namespace inkbench

@@ -15,4 +15,24 @@ enum class Averaging { light, codes };
 /// sharper filters have. At the picture's own size, the picture itself.
 Picture scaled(const Picture& picture, int width_px, int height_px, Averaging averaging = Averaging::light);
 
+/// Columns or rows, from `first` up to `end`.
+struct Samples {
+  int first = 0, end = 0;
+  bool operator==(const Samples&) const = default;
+};
+
+/// The old columns (rows) that new one `index` is a mean of.
+Samples covered_samples(int old_size, int new_size, int index);
+
+/// From `old_width_px` to `width_px` x `height_px`; the old height is the picture's.
+struct Scaling {
+  int old_width_px = 0;
+  int width_px = 0, height_px = 0;
+};
+
+/// The `wanted` columns of what `scaled` makes of a picture of which `part` holds the columns from `origin`
+/// on, at least those that the wanted ones cover. Sample for sample what `scaled` gives.
+Picture scaled_columns(const Picture& part, int origin, const Scaling& scaling, Samples wanted,
+                       Averaging averaging = Averaging::light);
+
 }  // namespace inkbench

@@ -32,14 +32,18 @@ int quality(int side_px) {
 }
 
 Averaging averaging_of(const Picture& picture) {
-  const double sum = std::accumulate(picture.samples.begin(), picture.samples.end(), 0.0);
-  return sum < 64.0 * static_cast<double>(picture.samples.size()) ? Averaging::light : Averaging::codes;
+  const uint64_t sum = std::accumulate(picture.samples.begin(), picture.samples.end(), uint64_t{0});
+  return sum < 64 * picture.samples.size() ? Averaging::light : Averaging::codes;
 }
 
 Picture fitted(const Picture& picture, int side_px, Averaging averaging) {
   const double scale = std::min(1.0, 1.0 * side_px / std::max(picture.width_px, picture.height_px));
   const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * scale))); };
   return scaled(picture, side(picture.width_px), side(picture.height_px), averaging);
+}
+
+size_t base64_chars(size_t bytes) {
+  return (bytes + 2) / 3 * 4;
 }
 
 ThumbnailPlan plan_for(size_t cells, size_t per_cell, size_t room_chars) {
@@ -58,14 +62,32 @@ ThumbnailPlan plan_thumbnails(size_t cells, size_t pictures_per_cell, size_t roo
   return all.side_px < kTinyPx ? plan_for(cells, 1, room_chars) : all;
 }
 
-std::string thumbnail(const Picture& picture, const ThumbnailPlan& plan) {
+std::vector<Thumbnail> make_thumbnails(const Picture& picture, const ThumbnailPlan& most,
+                                       const ThumbnailPlan& least) {
   const Averaging averaging = averaging_of(picture);
+  std::vector<Thumbnail> made;
   for (const Step& step : kSteps) {
-    if (step.side_px > plan.side_px) continue;
-    std::string text = base64(encode_webp(fitted(picture, step.side_px, averaging), quality(step.side_px)));
-    if (text.size() <= plan.max_chars) return text;
+    if (step.side_px > most.side_px) continue;
+    made.push_back(
+        {step.side_px, encode_webp(fitted(picture, step.side_px, averaging), quality(step.side_px))});
+    if (step.side_px <= least.side_px && base64_chars(made.back().webp.size()) <= least.max_chars) break;
   }
-  return "";
+  return made;
+}
+
+std::optional<std::string> chosen_thumbnail(const std::vector<Thumbnail>& made, const ThumbnailPlan& plan) {
+  if (!made.empty() && made.front().side_px < plan.side_px) return std::nullopt;
+  for (const Thumbnail& one : made) {
+    if (one.side_px <= plan.side_px && base64_chars(one.webp.size()) <= plan.max_chars)
+      return base64(one.webp);
+  }
+  const bool all_were_tried =
+      plan.side_px == 0 || (!made.empty() && made.back().side_px == kSteps.back().side_px);
+  return all_were_tried ? std::optional<std::string>("") : std::nullopt;
+}
+
+std::string thumbnail(const Picture& picture, const ThumbnailPlan& plan) {
+  return chosen_thumbnail(make_thumbnails(picture, plan, plan), plan).value();
 }
 
 }  // namespace inkbench

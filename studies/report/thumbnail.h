@@ -2,7 +2,9 @@
 // picture. Out: base64 of a WebP file, which is half the size of a JPEG file here.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "pipeline/image/image.h"
 
@@ -17,6 +19,21 @@ struct ThumbnailPlan {
 /// At most 240 px a side, less where they would not fit into `room_chars`; where they would be tiny, only the
 /// first picture of each cell gets one.
 ThumbnailPlan plan_thumbnails(size_t cells, size_t pictures_per_cell, size_t room_chars);
+
+/// One of the sizes that a picture may be shown at.
+struct Thumbnail {
+  int side_px = 0;
+  std::string webp;
+  bool operator==(const Thumbnail&) const = default;
+};
+
+/// Of a picture (3 channels), before the room for it is known: all that any plan between `most` and `least`
+/// may choose, the largest first; mostly one.
+std::vector<Thumbnail> make_thumbnails(const Picture& picture, const ThumbnailPlan& most,
+                                       const ThumbnailPlan& least);
+
+/// What `thumbnail` would give for the picture they were made of; nothing where that is not among them.
+std::optional<std::string> chosen_thumbnail(const std::vector<Thumbnail>& made, const ThumbnailPlan& plan);
 
 /// The picture (3 channels) at the plan's size, or smaller where it would take more than its share; never
 /// larger than it is. "" where even the smallest does not fit. Thin lines stay visible: means are taken so
