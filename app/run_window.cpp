@@ -58,6 +58,8 @@ class WindowLoop {
 
  private:
   void wait();
+  void poll();
+  void tell_notes();
   void draw_frame();
   void build_frame();
   void take_requests();
@@ -103,18 +105,18 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       window_("inkbench", {start_.layout.width_px, start_.layout.height_px}),
       input_(window_.handle()),
       gui_(window_, input_),
-      bench_(start_, keeping_) {
-  for (const std::string& note : keeping_.take_notes()) bench_.tell(Severity::warning, note);
+      bench_(start_, keeping_),
+      frame_(bench_) {
+  tell_notes();
   if (start_.layout.maximised) window_.maximise();
   if (!options.state_file.empty()) bench_.ui_map.enable();
-  if (!options.file.empty()) bench_.open(options.file);
+  if (!options.file.empty()) bench_.files.open(options.file);
   if (is_dragging_itself()) bench_.layout.show_welcome = false;
 }
 
 /// Sleeps until there is something to do; sets how many frames that takes.
 void WindowLoop::wait() {
   const double now = seconds_now();
-  wake_at_ = std::min(wake_at_, now + bench_.take_wake_seconds());
   const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
   if (busy) {
     poll_events();
@@ -127,19 +129,29 @@ void WindowLoop::wait() {
     frames_wanted_ = std::max(frames_wanted_, 1);
     wake_at_ = kNever;
   }
-  if (bench_.take_news()) frames_wanted_ = std::max(frames_wanted_, 2);
-  if (seconds_now() >= next_poll_) {
-    if (bench_.poll_files()) frames_wanted_ = std::max(frames_wanted_, 2);
-    if (options_.drag_frames == 0) keeping_.autosave(bench_, seconds_now());
-    next_poll_ = seconds_now() + kPollSeconds;
-  }
+  if (bench_.news.take()) frames_wanted_ = std::max(frames_wanted_, 2);
+  if (seconds_now() >= next_poll_) poll();
+}
+
+/// Now and then, also while nothing happens.
+void WindowLoop::poll() {
+  const long told = bench_.log.revision();
+  const bool edited = bench_.viewer.disk.poll();
+  if (edited || bench_.log.revision() != told) frames_wanted_ = std::max(frames_wanted_, 2);
+  if (options_.drag_frames == 0) keeping_.autosave(bench_.document, bench_.layout, seconds_now());
+  tell_notes();
+  next_poll_ = seconds_now() + kPollSeconds;
+}
+
+void WindowLoop::tell_notes() {
+  for (const std::string& note : keeping_.take_notes()) bench_.problems.tell(Severity::warning, note);
 }
 
 void WindowLoop::build_frame() {
-  bench_.open_all(input_.take_dropped());
+  bench_.files.open_all(input_.take_dropped());
   bench_.ui_map.begin_frame();
-  bench_.refresh();
-  frame_.draw(bench_);
+  bench_.viewer.refresh();
+  frame_.draw();
 }
 
 void WindowLoop::draw_frame() {
@@ -152,20 +164,20 @@ void WindowLoop::draw_frame() {
   } catch (const std::exception& error) {
     // ImGui is left in the middle of a panel: its own tidying up keeps the next frame sound.
     ImGui::ErrorCheckEndFrameRecover(nullptr);
-    if (!failed_frame_) bench_.set_problem(ProblemKind::drawing, error.what());
+    if (!failed_frame_) bench_.problems.set(ProblemKind::drawing, error.what());
     failed_frame_ = true;
   }
   try {
-    const PassScope scope(&bench_.window_timer, "window");
+    const PassScope scope(&bench_.viewer.window_timer, "window");
     gui_.end_frame();
   } catch (const Error& error) {
-    bench_.set_problem(ProblemKind::drawing, error.what());
+    bench_.problems.set(ProblemKind::drawing, error.what());
   }
   take_requests();
   window_.present();
   const double ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  FrameTimes& times = bench_.frame_times;
+  FrameTimes& times = bench_.viewer.frame_times;
   times.last_ms = ms;
   times.mean_ms = times.frames < 2 ? ms :  // the first one loads meshes and makes textures
                       times.mean_ms + kNewestShare * (ms - times.mean_ms);
@@ -178,6 +190,7 @@ void WindowLoop::take_requests() {
   if (requests.toggle_full_screen) window_.toggle_full_screen();
   if (requests.close) window_.close();
   if (requests.keyboard) input_.hold_keys(2);
+  wake_at_ = std::min(wake_at_, seconds_now() + requests.wake_seconds);
   const WindowSize size = window_.size();
   bench_.layout.maximised = window_.is_maximised();
   if (window_.is_full_screen() || bench_.layout.maximised || size.width_px < 1) return;
@@ -189,9 +202,9 @@ void WindowLoop::take_screenshot() {
   const std::string name = screenshot_name();
   try {
     write_png(name, read_window(window_.size()), {});
-    bench_.tell(Severity::note, "saved " + std::filesystem::absolute(name).string());
+    bench_.problems.tell(Severity::note, "saved " + std::filesystem::absolute(name).string());
   } catch (const Error& error) {
-    bench_.set_problem(ProblemKind::input, error.what());
+    bench_.problems.set(ProblemKind::input, error.what());
   }
 }
 
@@ -206,16 +219,17 @@ void WindowLoop::write_state() {
 /// A slider pulled to and fro over its whole range, as with the mouse: what a frame of it costs.
 void WindowLoop::drag_by_itself() {
   if (!is_dragging_itself()) return;
-  bench_.begin_edit();
-  Settings settings = bench_.settings();
+  bench_.document.begin_edit();
+  Settings settings = bench_.document.settings();
   const Field& field = *find_param(settings, options_.drag_key, "--drag").field;
   const double share = 0.5 + 0.45 * std::sin(0.1 * drag_frame_);
   const double value = field.slider.low * std::pow(field.slider.high / field.slider.low, share);
   const bool whole = field.type == FieldType::integer;
-  bench_.change(options_.drag_key, whole ? Value(static_cast<int>(value)) : Value(static_cast<float>(value)));
+  bench_.document.change(options_.drag_key,
+                         whole ? Value(static_cast<int>(value)) : Value(static_cast<float>(value)));
   ++drag_frame_;
   if (is_dragging_itself()) return;
-  bench_.end_edit();
+  bench_.document.end_edit();
   bench_.requests.close = true;
 }
 
@@ -231,8 +245,8 @@ void WindowLoop::run() {
     draw_frame();
     --frames_wanted_;
     ++frames;
-    const bool waits_for_times = bench_.timer.is_waiting() || bench_.has_late();
-    if (waits_for_times && frames_wanted_ <= 0 && !bench_.is_editing()) frames_wanted_ = 1;
+    const bool waits_for_times = bench_.viewer.timer.is_waiting() || bench_.viewer.has_late();
+    if (waits_for_times && frames_wanted_ <= 0 && !bench_.document.is_editing()) frames_wanted_ = 1;
   }
   if (options_.drag_frames > 0) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -242,7 +256,7 @@ void WindowLoop::run() {
   window_.hide();  // the end of a study's cell may take a moment
   bench_.studies.stop();
   write_state();
-  if (options_.drag_frames == 0) keeping_.close(bench_);
+  if (options_.drag_frames == 0) keeping_.close(bench_.document, bench_.layout);
 }
 
 /// Left to itself glibc learns to keep large blocks: a mesh that went would leave its memory taken.

@@ -21,12 +21,12 @@ bool FullMeshDesk::refresh_lines(MeshStore& meshes, const Frame& full, bool hurr
   return !reference.is_behind();
 }
 
-FullView FullMeshDesk::refresh(Pipeline& pipeline, const Frame& frame, bool hurry) {
+KeyedView FullMeshDesk::refresh(Pipeline& pipeline, const Frame& frame, bool hurry) {
   if (frame.settings().mesh == MeshParams{}) {
     forget();
     return {};
   }
-  if (!own_) own_ = std::make_unique<Own>(pipeline.line_finder());
+  if (!own_) own_ = std::make_unique<Own>(pipeline.line_finder(), news_);
   Settings settings = frame.settings();
   settings.mesh = {};
   const Frame full = own_->pipeline.at(settings);

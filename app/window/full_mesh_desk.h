@@ -6,39 +6,35 @@
 #include <memory>
 
 #include "app/window/reference_desk.h"
-#include "app/workbench/live_judge.h"
 #include "pipeline/pipeline.h"
 
 namespace inkbench {
 
-/// What a level is judged against; `view` is empty where there is nothing (yet).
-struct FullView {
-  JudgedView view;
-  Key key;
-};
-
 class FullMeshDesk {
  public:
-  /// The view of the frame's scene with the full mesh; none where the settings draw the full mesh, and none
-  /// of another camera or scene while something is dragged (`hurry`). Errors (input, work): as
-  /// `Pictures::refresh`.
-  FullView refresh(Pipeline& pipeline, const Frame& frame, bool hurry);
+  /// `news` must outlive it.
+  explicit FullMeshDesk(News& news) : news_(news) {}
+
+  /// The view of the frame's scene with the full mesh, which a level is judged against; empty where the
+  /// settings draw the full mesh, where it is not there yet, and for another camera or scene while something
+  /// is dragged (`hurry`). Errors (input, work): as `Pictures::refresh`.
+  KeyedView refresh(Pipeline& pipeline, const Frame& frame, bool hurry);
   /// Frees what nobody looks at; to be called again while lines are being found.
   void forget();
 
   /// Whether `refresh` gave nothing because it is still being made.
   bool is_behind() const { return behind_; }
-  /// Whether there are new lines since the last call.
-  bool take_news() { return own_ && own_->reference.take_news(); }
 
  private:
   struct Own {
-    explicit Own(const std::shared_ptr<LineFinder>& finder) : pipeline(finder) {}
+    Own(const std::shared_ptr<LineFinder>& finder, News& news)
+        : pipeline(finder), reference(pipeline, news) {}
     Pipeline pipeline;
-    ReferenceDesk reference{pipeline};
+    ReferenceDesk reference;
   };
   bool refresh_lines(MeshStore& meshes, const Frame& full, bool hurry);
 
+  News& news_;
   std::unique_ptr<Own> own_;
   Stage<std::shared_ptr<const Image>> edges_;
   bool behind_ = false;

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "app/window/picture_upload.h"
-#include "app/window/window.h"
 
 namespace inkbench {
 namespace {
@@ -16,40 +15,29 @@ JudgedView view_of(const Frame& frame, std::shared_ptr<const ReferenceLines> lin
 
 }  // namespace
 
-JudgeDesk::JudgeDesk()
-    : judge_([this] {
-        news_ = true;
-        wake_window();
-      }),
-      pinned_judge_([this] {
-        news_ = true;
-        wake_window();
-      }) {}
-
-void JudgeDesk::refresh_measures(const Frame& frame, const FoundLines& lines, const FullView& full) {
+void JudgeDesk::refresh_measures(const Frame& frame, const FoundLines& lines, const KeyedView& full) {
   const Key edges = frame.key(BufferName::combined_edges);
   const Key key = KeyBuilder().add(edges).add(lines.key).add(full.key).key();
-  if (key == asked_) {
-    behind_ = !now_ || now_->id != last_id_;
-    return;
-  }
-  behind_ = true;
-  if (judge_.is_busy()) return;  // the newest settings are asked for when it is done
-  judge_.submit({.id = ++last_id_, .view = view_of(frame, lines.lines), .full = full.view});
-  asked_ = key;
+  judge_.ask_when_free(key, [&] {
+    return JudgeRequest{.id = ++last_id_, .view = view_of(frame, lines.lines), .full = full.view};
+  });
+  behind_ = !judge_.has_asked(key) || !now_ || now_->id != last_id_;
 }
 
-void JudgeDesk::refresh_pinned(const JudgedView& view) {
-  if (view.edges == nullptr) pinned_.reset();
-  if (view.edges == pinned_edges_) return;
-  pinned_edges_ = view.edges;
-  pinned_.reset();
-  if (view.edges != nullptr) pinned_judge_.submit({.view = view});
+void JudgeDesk::refresh_pinned(const Pictures& pictures) {
+  const KeyedView& pinned = pictures.pinned_view();
+  if (pinned.view.edges == nullptr) {
+    pinned_.reset();
+    pinned_judge_.forget();
+    return;
+  }
+  if (!pinned_judge_.has_asked(pinned.key)) pinned_.reset();
+  pinned_judge_.ask(pinned.key, [&] { return JudgeRequest{.view = pinned.view}; });
 }
 
 void JudgeDesk::take_results() {
-  if (std::optional<Judgement> result = judge_.poll()) now_ = std::move(result);
-  if (std::optional<Judgement> result = pinned_judge_.poll()) pinned_ = std::move(result);
+  if (std::optional<Judgement> result = judge_.take()) now_ = std::move(result);
+  if (std::optional<Judgement> result = pinned_judge_.take()) pinned_ = std::move(result);
 }
 
 void JudgeDesk::refresh(Pictures& pictures, const Frame& frame, Wanted wanted, bool hurry) {
@@ -59,19 +47,14 @@ void JudgeDesk::refresh(Pictures& pictures, const Frame& frame, Wanted wanted, b
   ReferenceDesk& reference = pictures.reference();
   reference.refresh(frame);
   if (!wanted.measures) return;
-  const FullView full = full_mesh_.refresh(pictures.pipeline(), frame, hurry);
+  const KeyedView full = full_mesh_.refresh(pictures.pipeline(), frame, hurry);
   if (reference.is_behind()) {
     behind_ = true;
   } else {
     refresh_measures(frame, *reference.now(), full);
     behind_ |= full_mesh_.is_behind();
   }
-  refresh_pinned(pictures.pinned_view());
-}
-
-bool JudgeDesk::take_news() {
-  const bool lines = full_mesh_.take_news();
-  return news_.exchange(false) || lines;
+  refresh_pinned(pictures);
 }
 
 TileOverlay JudgeDesk::overlay(Overlay kind, ReferenceDesk& reference) {

@@ -3,7 +3,6 @@
 // gets plain copies; the window never waits for it.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -17,7 +16,8 @@ namespace inkbench {
 
 class JudgeDesk {
  public:
-  JudgeDesk();
+  /// `news` must outlive it.
+  explicit JudgeDesk(News& news) : full_mesh_(news), judge_(news), pinned_judge_(news) {}
 
   /// What is looked at: nothing is read or measured that nobody sees.
   struct Wanted {
@@ -34,26 +34,21 @@ class JudgeDesk {
   const Judgement* pinned() const { return pinned_ ? &*pinned_ : nullptr; }
   /// Whether `now` is of other settings than the last ones seen.
   bool is_behind() const { return behind_; }
-  /// Whether there are new measures since the last call: a frame should show them.
-  bool take_news();
 
   /// The lines to lay over pictures of the present settings; none where there are none yet.
   TileOverlay overlay(Overlay kind, ReferenceDesk& reference);
 
  private:
-  void refresh_measures(const Frame& frame, const FoundLines& lines, const FullView& full);
-  void refresh_pinned(const JudgedView& view);
+  void refresh_measures(const Frame& frame, const FoundLines& lines, const KeyedView& full);
+  void refresh_pinned(const Pictures& pictures);
   void take_results();
 
-  Key asked_;
-  std::shared_ptr<const Image> pinned_edges_;  ///< That were asked for last.
   uint64_t last_id_ = 0;
   bool behind_ = false;
   std::optional<Judgement> now_, pinned_;
   FullMeshDesk full_mesh_;
   Stage<Texture> matches_;
-  std::atomic<bool> news_ = false;
-  LiveJudge judge_, pinned_judge_;  ///< Last: their threads write `news_`.
+  LiveJudge judge_, pinned_judge_;
 };
 
 }  // namespace inkbench

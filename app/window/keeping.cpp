@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "app/window/workbench.h"
 #include "app/workbench/param_changes.h"
 #include "app/workbench/scene_base.h"
 #include "app/workbench/session_merge.h"
@@ -55,50 +54,50 @@ std::span<const UnsavedWork> Keeping::unsaved() const {
   return store_ != nullptr ? std::span(store_->unsaved()) : std::span<const UnsavedWork>();
 }
 
-Session Keeping::session_of(const Workbench& bench) const {
+Session Keeping::session_of(const Document& document, const WindowLayout& layout) const {
   Session session = kept_;
-  session.settings = with_absolute_paths(bench.settings());
-  session.scene = bench.scene();
-  session.layout = bench.layout;
+  session.settings = with_absolute_paths(document.settings());
+  session.scene = document.scene();
+  session.layout = layout;
   return session;
 }
 
-void Keeping::save_now(Workbench& bench) {
+void Keeping::save_now(const Document& document, const WindowLayout& layout) {
   if (store_ == nullptr) return;
   try {
-    store_->autosave(session_of(bench));
+    store_->autosave(session_of(document, layout));
   } catch (const Error& error) {
-    bench.tell(Severity::warning, error.what());
+    notes_.emplace_back(error.what());
   }
 }
 
-void Keeping::autosave(Workbench& bench, double now_seconds) {
-  const long revision = bench.revision() + own_revision_;
-  if (now_seconds < next_save_ || bench.is_editing()) return;
-  if (revision == saved_revision_ && bench.layout == saved_layout_) return;
-  save_now(bench);
+void Keeping::autosave(const Document& document, const WindowLayout& layout, double now_seconds) {
+  const long revision = document.revision() + own_revision_;
+  if (now_seconds < next_save_ || document.is_editing()) return;
+  if (revision == saved_revision_ && layout == saved_layout_) return;
+  save_now(document, layout);
   saved_revision_ = revision;
-  saved_layout_ = bench.layout;
+  saved_layout_ = layout;
   next_save_ = now_seconds + kAutosaveSeconds;
 }
 
-void Keeping::close(Workbench& bench) {
+void Keeping::close(const Document& document, const WindowLayout& layout) {
   if (store_ == nullptr) return;
   try {
-    store_->close(session_of(bench));
+    store_->close(session_of(document, layout));
   } catch (const Error& error) {
-    bench.tell(Severity::warning, error.what());
+    notes_.emplace_back(error.what());
   }
 }
 
-void Keeping::restore(Workbench& bench) {
+void Keeping::restore(Document& document, WindowLayout& layout) {
   if (unsaved().empty()) return;
   const Session session = unsaved().front().session;
-  if (!bench.take_over(session.settings, session.scene, "restore unsaved work")) return;
-  bench.layout = session.layout;
+  if (!document.take_over(session.settings, session.scene, "restore unsaved work")) return;
+  layout = session.layout;
   merge_lists({}, session, kept_);
   ++own_revision_;
-  save_now(bench);  // before the old autosave goes
+  save_now(document, layout);  // before the old autosave goes
   discard();
 }
 

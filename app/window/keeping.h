@@ -1,5 +1,5 @@
 // What outlives the window: the last session, unsaved work of one that died, presets, recent files, camera
-// bookmarks. In: the user's folder. The rest of a session is the workbench's own.
+// bookmarks. In: the user's folder; the rest of a session is document and layout.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "app/workbench/document.h"
 #include "app/workbench/presets.h"
 #include "app/workbench/session_store.h"
 
 namespace inkbench {
-
-class Workbench;
 
 class Keeping {
  public:
@@ -25,18 +24,18 @@ class Keeping {
 
   /// Now and then, also while nothing happens: writes the autosave if something changed and the last one is
   /// some seconds old.
-  void autosave(Workbench& bench, double now_seconds);
+  void autosave(const Document& document, const WindowLayout& layout, double now_seconds);
   /// A clean exit.
-  void close(Workbench& bench);
+  void close(const Document& document, const WindowLayout& layout);
 
   /// What windows that died had not saved, newest first.
   std::span<const UnsavedWork> unsaved() const;
   /// Takes the newest unsaved work over; undo brings back what was there.
-  void restore(Workbench& bench);
+  void restore(Document& document, WindowLayout& layout);
   /// Removes the newest unsaved work for good.
   void discard();
 
-  /// What a person should hear of, once.
+  /// What a person should hear of, once: what could not be read or written.
   std::vector<std::string> take_notes();
 
   const PresetStore& presets() const { return presets_; }
@@ -49,9 +48,9 @@ class Keeping {
   void set_bookmarks(std::vector<CameraBookmark> bookmarks);
 
  private:
-  Session session_of(const Workbench& bench) const;
+  Session session_of(const Document& document, const WindowLayout& layout) const;
   void drop_known_work(const Settings& settings);
-  void save_now(Workbench& bench);
+  void save_now(const Document& document, const WindowLayout& layout);
 
   std::filesystem::path folder_;
   std::vector<std::string> notes_;

@@ -1,15 +1,8 @@
 #include "app/window/ladder_desk.h"
 
-#include "app/window/window.h"
 #include "pipeline/base/error.h"
 
 namespace inkbench {
-
-LadderDesk::LadderDesk()
-    : maker_([this] {
-        news_ = true;
-        wake_window();
-      }) {}
 
 /// Nothing where the settings can be drawn at once, or where trying to is the way to learn why not.
 std::optional<LadderRequest> LadderDesk::request_for(MeshStore& meshes, const Settings& settings) const {
@@ -28,8 +21,8 @@ std::optional<LadderRequest> LadderDesk::request_for(MeshStore& meshes, const Se
 }
 
 Settings LadderDesk::drawable(MeshStore& meshes, const Settings& settings) {
-  if (std::optional<MadeLadder> made = maker_.poll()) {
-    if (asked_ == made->name) asked_.reset();
+  if (std::optional<MadeLadder> made = maker_.take()) {
+    if (maker_.has_asked(made->name)) maker_.forget();
     if (made->ladder) {
       meshes.take_ladder(made->name.key, std::move(*made->ladder));
     } else {
@@ -38,10 +31,7 @@ Settings LadderDesk::drawable(MeshStore& meshes, const Settings& settings) {
   }
   const std::optional<LadderRequest> request = request_for(meshes, settings);
   if (!request) return settings;
-  if (asked_ != request->name) {
-    asked_ = request->name;
-    maker_.submit(*request);
-  }
+  maker_.ask(request->name, [&] { return *request; });
   Settings full = settings;
   full.mesh = {};
   return full;

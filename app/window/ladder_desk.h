@@ -2,7 +2,6 @@
 // drawn now; while a ladder is made beside the window, those show the full mesh.
 #pragma once
 
-#include <atomic>
 #include <optional>
 
 #include "app/workbench/ladder_maker.h"
@@ -13,18 +12,15 @@ namespace inkbench {
 
 class LadderDesk {
  public:
-  LadderDesk();
+  explicit LadderDesk(News& news) : maker_(news) {}
   Settings drawable(MeshStore& meshes, const Settings& settings);
   /// Whether a ladder is being made.
   bool is_busy() const { return maker_.is_busy(); }
-  /// Whether one was made since the last call.
-  bool take_news() { return news_.exchange(false); }
 
  private:
   std::optional<LadderRequest> request_for(MeshStore& meshes, const Settings& settings) const;
 
-  std::atomic<bool> news_ = false;
-  std::optional<LadderName> asked_, failed_;
+  std::optional<LadderName> failed_;
   LadderMaker maker_;
 };
 

@@ -86,4 +86,10 @@ PassTime PassTimer::time_of(const std::string& name) const {
   return found == records_.end() ? PassTime{} : found->second.time;
 }
 
+double PassTimer::mean_ms() const {
+  double sum = 0.0;
+  for (const auto& [name, record] : records_) sum += record.time.mean_ms;
+  return sum;
+}
+
 }  // namespace inkbench

@@ -37,6 +37,8 @@ class PassTimer : public PassObserver {
   bool is_waiting() const { return !waiting_.empty(); }
   /// Of a pass that never ran: all zero.
   PassTime time_of(const std::string& name) const;
+  /// Of all passes together.
+  double mean_ms() const;
 
  private:
   struct Span {

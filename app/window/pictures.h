@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/window/reference_desk.h"
-#include "app/workbench/live_judge.h"
 #include "pipeline/pipeline.h"
 
 namespace inkbench {
@@ -35,6 +34,9 @@ void toggle_fit(PictureChoice& choice);
 /// compile.
 class Pictures {
  public:
+  /// `news` must outlive it.
+  explicit Pictures(News& news) : reference_(pipeline_, news) {}
+
   /// Draws the `wanted` ones that are not up to date; reference lines are found beside the window. Of large
   /// images only as much as a moment allows, at least one picture and `first` before the others; the rest is
   /// late. Errors (input, work): what cannot be drawn; that picture and those after it stay as they were.
@@ -51,7 +53,7 @@ class Pictures {
   void unpin();
   const std::optional<Settings>& pinned_settings() const { return pinned_settings_; }
   /// The pinned state's edges and reference lines; empty where nothing is pinned.
-  const JudgedView& pinned_view() const { return pinned_view_; }
+  const KeyedView& pinned_view() const { return pinned_view_; }
 
   Pipeline& pipeline() { return pipeline_; }
   const Pipeline& pipeline() const { return pipeline_; }
@@ -70,8 +72,8 @@ class Pictures {
   PerBuffer<Stage<ShownRange>> ranges_;
   PerBuffer<Texture> pinned_textures_;
   std::optional<Settings> pinned_settings_;
-  JudgedView pinned_view_;
-  ReferenceDesk reference_{pipeline_};
+  KeyedView pinned_view_;
+  ReferenceDesk reference_;
 };
 
 }  // namespace inkbench

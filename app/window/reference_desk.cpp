@@ -3,21 +3,14 @@
 #include <utility>
 
 #include "app/window/picture_upload.h"
-#include "app/window/window.h"
 #include "pipeline/base/error.h"
 #include "pipeline/passes/lines/reference.h"
 
 namespace inkbench {
 
-ReferenceDesk::ReferenceDesk(Pipeline& pipeline)
-    : finder_(pipeline.line_finder(), [this] {
-        news_ = true;
-        wake_window();
-      }) {}
-
 void ReferenceDesk::refresh(const Frame& frame) {
   const Key key = frame.key(BufferName::reference);
-  if (std::optional<FoundLines> found = finder_.poll()) {
+  if (std::optional<FoundLines> found = finder_.take()) {
     if (found->error.empty()) {
       now_ = std::move(found);
     } else if (found->key == key) {
@@ -26,10 +19,8 @@ void ReferenceDesk::refresh(const Frame& frame) {
     }
   }
   behind_ = !now_ || now_->key != key;
-  // The newest settings are asked for when it is done: making a request reads pictures back.
-  if (!behind_ || key == asked_ || finder_.is_busy()) return;
-  asked_ = key;
-  finder_.submit(frame.line_request());
+  // Making a request reads pictures back.
+  if (behind_) finder_.ask_when_free(key, [&] { return frame.line_request(); });
 }
 
 void ReferenceDesk::finish(const Frame& frame) {

@@ -2,20 +2,26 @@
 // perhaps of settings a moment ago, and textures of them. They are found beside the window.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
 
+#include "app/workbench/live_judge.h"
 #include "app/workbench/live_reference.h"
 #include "pipeline/gl/texture.h"
 #include "pipeline/pipeline.h"
 
 namespace inkbench {
 
+/// What is judged, and what it was made from; empty where there is nothing (yet).
+struct KeyedView {
+  JudgedView view;
+  Key key;
+};
+
 class ReferenceDesk {
  public:
-  /// `pipeline` must outlive it.
-  explicit ReferenceDesk(Pipeline& pipeline);
+  /// Both must outlive it.
+  ReferenceDesk(Pipeline& pipeline, News& news) : finder_(pipeline.line_finder(), news) {}
 
   /// Takes in what was found and asks for the lines of the settings if they are others. Errors (input, work):
   /// as `Frame::line_request`; the lines of these settings could not be found.
@@ -29,8 +35,6 @@ class ReferenceDesk {
   bool is_behind() const { return behind_; }
   /// Whether lines are being found.
   bool is_busy() const { return finder_.is_busy(); }
-  /// Whether there are new lines since the last call: a frame should show them.
-  bool take_news() { return news_.exchange(false); }
 
   /// Of `now`, which must be there: the picture, and the lines to lay over others.
   const Texture& picture();
@@ -38,11 +42,9 @@ class ReferenceDesk {
 
  private:
   std::optional<FoundLines> now_;
-  Key asked_;
   bool behind_ = false;
   Stage<Texture> picture_, overlay_;
-  std::atomic<bool> news_ = false;
-  LiveReference finder_;  ///< Last: its thread writes `news_`.
+  LiveReference finder_;
 };
 
 }  // namespace inkbench

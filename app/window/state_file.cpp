@@ -59,7 +59,7 @@ Json judge_of(const JudgeDesk& judge) {
 /// The sum behind the marked pixel.
 Json why_of(const Workbench& bench) {
   if (!bench.view.marked) return nullptr;
-  const ProbedPixel& probed = bench.probe.last();
+  const ProbedPixel& probed = bench.viewer.probe.last();
   const auto term = [](const TermWhy& why) {
     return Json{{"gmax", why.gmax}, {"gmin", why.gmin}, {"k", why.k}, {"p", why.p}};
   };
@@ -74,8 +74,8 @@ Json why_of(const Workbench& bench) {
 
 Json passes_of(const Workbench& bench) {
   Json json = Json::object();
-  for (const auto& [name, count] : bench.pictures.pipeline().counts()) {
-    const PassTime time = bench.timer.time_of(name);
+  for (const auto& [name, count] : bench.viewer.pictures.pipeline().counts()) {
+    const PassTime time = bench.viewer.timer.time_of(name);
     json[name] = {{"runs", count.runs}, {"reuses", count.reuses}, {"ran", time.ran}, {"ms", time.last_ms}};
   }
   return json;
@@ -85,7 +85,7 @@ Json passes_of(const Workbench& bench) {
 Json pictures_of(const Workbench& bench, bool pinned) {
   Json json = Json::object();
   for (const BufferName buffer : all_buffers()) {
-    const ShownPicture& shown = bench.pictures.shown(buffer, pinned);
+    const ShownPicture& shown = bench.viewer.pictures.shown(buffer, pinned);
     if (!pinned || shown.texture != nullptr) json[std::string(name_of(buffer))] = shown.key.text();
   }
   return json;
@@ -150,22 +150,22 @@ Json studies_of(const Studies& studies) {
 }  // namespace
 
 std::string state_text(const Workbench& bench) {
-  Json json{{"scene", bench.scene_name()},
-            {"steps", bench.history().step_names()},
-            {"marks", bench.marks},
+  Json json{{"scene", bench.document.scene_name()},
+            {"steps", bench.document.history().step_names()},
+            {"marks", bench.ui_map.pauses},
             {"text_field", ImGui::GetIO().WantTextInput},
-            {"position", bench.history().position()},
-            {"frames", bench.frame_times.frames},
-            {"frame_ms", bench.frame_times.mean_ms},
-            {"parameters", parameters_of(bench.settings())},
+            {"position", bench.document.history().position()},
+            {"frames", bench.viewer.frame_times.frames},
+            {"frame_ms", bench.viewer.frame_times.mean_ms},
+            {"parameters", parameters_of(bench.document.settings())},
             {"view", view_of(bench.view)},
             {"passes", passes_of(bench)},
             {"pictures", pictures_of(bench, false)},
             {"pinned", pictures_of(bench, true)},
             {"layout", layout_of(bench.layout)},
-            {"finds_lines", bench.pictures.reference().is_busy()},
-            {"prepares_levels", bench.ladders.is_busy()},
-            {"judge", judge_of(bench.judge)},
+            {"finds_lines", bench.viewer.pictures.reference().is_busy()},
+            {"prepares_levels", bench.viewer.ladders.is_busy()},
+            {"judge", judge_of(bench.viewer.judge)},
             {"why", why_of(bench)},
             {"studies", studies_of(bench.studies)},
             {"log", log_of(bench.log)}};
@@ -176,7 +176,7 @@ std::string state_text(const Workbench& bench) {
   for (const std::filesystem::path& file : bench.keeping.recent()) json["recent"].push_back(file.string());
   json["unsaved"] = bench.keeping.unsaved().size();
   json["problems"] = Json::array();
-  for (const auto& [kind, text] : bench.problems()) json["problems"].push_back(text);
+  for (const auto& [kind, text] : bench.problems.all()) json["problems"].push_back(text);
   json["ui"] = Json::object();
   for (const auto& [name, rect] : bench.ui_map.rects())
     json["ui"][name] = {rect.left, rect.top, rect.right, rect.bottom};

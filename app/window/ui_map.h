@@ -21,6 +21,9 @@ class UiMap {
   void mark(const std::string& name, const UiRect& rect);
   const std::map<std::string, UiRect>& rects() const { return rects_; }
 
+  /// Presses of the Pause key: a test that sees its own knows that all before it is done.
+  long pauses = 0;
+
  private:
   bool enabled_ = false;
   std::map<std::string, UiRect> rects_;

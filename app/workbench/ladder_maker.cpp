@@ -18,7 +18,7 @@ MadeLadder make_ladder(const LadderRequest& request, const StopAsked& stop) {
 
 }  // namespace
 
-LadderMaker::LadderMaker(std::function<void()> on_done)
-    : LatestWorker(make_ladder, WhenNewer::give_up, WorkPriority::as_window, std::move(on_done)) {}
+LadderMaker::LadderMaker(News& news)
+    : BackgroundWork(make_ladder, WhenNewer::give_up, WorkPriority::as_window, news) {}
 
 }  // namespace inkbench

@@ -2,10 +2,9 @@
 // large meshes. In: a model and the level that is wanted. Out: a ladder that gives that level at once.
 #pragma once
 
-#include <functional>
 #include <optional>
 
-#include "app/workbench/latest_worker.h"
+#include "app/workbench/background_work.h"
 #include "pipeline/base/key.h"
 #include "pipeline/mesh/levels/mesh_ladder.h"
 
@@ -28,9 +27,9 @@ struct MadeLadder {
   std::optional<MeshLadder> ladder;  ///< None where the mesh cannot be read.
 };
 
-class LadderMaker : public LatestWorker<LadderRequest, MadeLadder> {
+class LadderMaker : public BackgroundWork<LadderRequest, MadeLadder, LadderName> {
  public:
-  explicit LadderMaker(std::function<void()> on_done);
+  explicit LadderMaker(News& news);
 };
 
 }  // namespace inkbench

@@ -74,7 +74,7 @@ Judgement judge_or_say_why(const JudgeRequest& request, const StopAsked& stop) {
 
 }  // namespace
 
-LiveJudge::LiveJudge(std::function<void()> on_done)
-    : LatestWorker(judge_or_say_why, WhenNewer::finish, WorkPriority::below, std::move(on_done)) {}
+LiveJudge::LiveJudge(News& news)
+    : BackgroundWork(judge_or_say_why, WhenNewer::finish, WorkPriority::below, news) {}
 
 }  // namespace inkbench

@@ -4,12 +4,12 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "app/workbench/latest_worker.h"
+#include "app/workbench/background_work.h"
+#include "pipeline/base/key.h"
 #include "pipeline/lines/reference_lines.h"
 #include "studies/measures/match_maps.h"
 #include "studies/measures/measures.h"
@@ -46,9 +46,9 @@ struct Judgement {
 Judgement judge(const JudgeRequest& request, const StopAsked& stop = {});
 
 /// A request in work is finished when a newer one comes: its result is still worth showing.
-class LiveJudge : public LatestWorker<JudgeRequest, Judgement> {
+class LiveJudge : public BackgroundWork<JudgeRequest, Judgement, Key> {
  public:
-  explicit LiveJudge(std::function<void()> on_done = {});
+  explicit LiveJudge(News& news);
 };
 
 }  // namespace inkbench

@@ -41,11 +41,11 @@ FoundLines with_pictures(const Key& key, std::shared_ptr<const ReferenceLines> l
   return found;
 }
 
-LiveReference::LiveReference(std::shared_ptr<LineFinder> finder, std::function<void()> on_done)
-    : LatestWorker(
+LiveReference::LiveReference(std::shared_ptr<LineFinder> finder, News& news)
+    : BackgroundWork(
           [finder = std::move(finder)](const LineRequest& request, const StopAsked& stop) {
             return find_or_say_why(*finder, request, stop);
           },
-          WhenNewer::finish, WorkPriority::below, std::move(on_done)) {}
+          WhenNewer::finish, WorkPriority::below, news) {}
 
 }  // namespace inkbench

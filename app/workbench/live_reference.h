@@ -2,11 +2,10 @@
 // the lines are found from, as plain data. Out: the lines and pictures of them.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
-#include "app/workbench/latest_worker.h"
+#include "app/workbench/background_work.h"
 #include "pipeline/image/image.h"
 #include "pipeline/lines/line_finder.h"
 
@@ -23,9 +22,9 @@ struct FoundLines {
 FoundLines with_pictures(const Key& key, std::shared_ptr<const ReferenceLines> lines);
 
 /// Lines in work are finished when a newer request comes: while the camera moves they follow it.
-class LiveReference : public LatestWorker<LineRequest, FoundLines> {
+class LiveReference : public BackgroundWork<LineRequest, FoundLines, Key> {
  public:
-  LiveReference(std::shared_ptr<LineFinder> finder, std::function<void()> on_done);
+  LiveReference(std::shared_ptr<LineFinder> finder, News& news);
 };
 
 }  // namespace inkbench

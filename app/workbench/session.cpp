@@ -21,7 +21,7 @@ std::string struct_text(const Description& description, const void* owner) {
 }
 
 /// A path that TOML cannot hold is left out: it would make the file unreadable.
-std::string path_text(const fs::path& path) {
+std::string path_entry(const fs::path& path) {
   return to_text(Value(is_utf8(path.string()) ? path.string() : std::string()));
 }
 
@@ -119,9 +119,9 @@ void drop_missing_recent(Session& session) {
 std::string session_text(const Session& session) {
   std::vector<std::string> recent;
   for (const fs::path& path : session.recent) {
-    if (is_utf8(path.string())) recent.push_back(path_text(path));
+    if (is_utf8(path.string())) recent.push_back(path_entry(path));
   }
-  std::string text = "# inkbench session\n[session]\nscene = " + path_text(session.scene) + "\nrecent = [" +
+  std::string text = "# inkbench session\n[session]\nscene = " + path_entry(session.scene) + "\nrecent = [" +
                      join(recent, ", ") + "]\n[session.layout]\n" +
                      struct_text(WindowLayout::description(), &session.layout);
   for (const CameraBookmark& bookmark : session.bookmarks) {

@@ -25,11 +25,15 @@ LadderRequest ladder_request(const std::string& name, const ModelParams& model, 
 /// The ladder that comes next; fails after 20 s.
 std::optional<MadeLadder> wait_for_ladder(LadderMaker& maker) {
   for (int i = 0; i < 2000; ++i) {
-    if (std::optional<MadeLadder> made = maker.poll()) return made;
+    if (std::optional<MadeLadder> made = maker.take()) return made;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   ADD_FAILURE() << "waited in vain for a ladder";
   return std::nullopt;
+}
+
+void ask(LadderMaker& maker, const LadderRequest& wanted) {
+  maker.ask(wanted.name, [&] { return wanted; });
 }
 
 TEST(MeshLadder, is_ready_for_a_level_once_prepared_and_gives_its_triangles) {
@@ -53,35 +57,38 @@ TEST(MeshLadder, stopping_leaves_it_as_it_was) {
 }
 
 TEST(LadderMaker, makes_what_gives_the_level_at_once) {
-  LadderMaker maker({});
-  maker.submit(ladder_request("ball", sphere_model(24), 100));
+  News news;
+  LadderMaker maker(news);
+  ask(maker, ladder_request("ball", sphere_model(24), 100));
   const std::optional<MadeLadder> made = wait_for_ladder(maker);
   ASSERT_TRUE(made && made->ladder);
   EXPECT_EQ(made->name.key, KeyBuilder().add("ball").key());
   EXPECT_TRUE(made->ladder->is_ready_for({.faces = 100}));
-  EXPECT_FALSE(maker.poll());
+  EXPECT_FALSE(maker.take());
 }
 
 TEST(LadderMaker, mesh_that_cannot_be_read_gives_no_ladder_and_the_next_one_works) {
-  LadderMaker maker({});
+  News news;
+  LadderMaker maker(news);
   ModelParams missing;
   missing.shape = Shape::mesh;
   missing.mesh = "/no/such.obj";
-  maker.submit(ladder_request("missing", missing, 100));
+  ask(maker, ladder_request("missing", missing, 100));
   std::optional<MadeLadder> made = wait_for_ladder(maker);
   ASSERT_TRUE(made);
   EXPECT_FALSE(made->ladder);
-  maker.submit(ladder_request("ball", sphere_model(24), 0));
+  ask(maker, ladder_request("ball", sphere_model(24), 0));
   made = wait_for_ladder(maker);
   ASSERT_TRUE(made && made->ladder);
   EXPECT_FALSE(made->ladder->is_ready_for({.faces = 100})) << "no record was asked for";
 }
 
 TEST(LadderMaker, newer_request_ends_the_one_in_work) {
-  LadderMaker maker({});
-  maker.submit(ladder_request("large", sphere_model(700), 100));  // seconds of work
+  News news;
+  LadderMaker maker(news);
+  ask(maker, ladder_request("large", sphere_model(700), 100));  // seconds of work
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  maker.submit(ladder_request("small", sphere_model(24), 100));
+  ask(maker, ladder_request("small", sphere_model(24), 100));
   const std::optional<MadeLadder> made = wait_for_ladder(maker);
   ASSERT_TRUE(made);
   EXPECT_EQ(made->name.key, KeyBuilder().add("small").key());

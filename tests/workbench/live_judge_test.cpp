@@ -49,11 +49,15 @@ JudgeRequest judge_request(uint64_t id, int size_px = 96) {
   return {.id = id, .view = {edges_along(*lines, {LineClass::silhouette}), lines}};
 }
 
+void ask(LiveJudge& live, const JudgeRequest& wanted) {
+  live.ask(KeyBuilder().add(std::to_string(wanted.id)).key(), [&] { return wanted; });
+}
+
 /// Waits for a result; none after half a minute.
 std::optional<Judgement> wait_for_judgement(LiveJudge& live) {
   const auto end = Clock::now() + std::chrono::seconds(30);
   while (Clock::now() < end) {
-    if (std::optional<Judgement> result = live.poll()) return result;
+    if (std::optional<Judgement> result = live.take()) return result;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return std::nullopt;
@@ -122,37 +126,40 @@ TEST(Judge, what_does_not_fit_together_is_an_error) {
 
 TEST(LiveJudge, gives_each_result_once) {
   std::atomic<int> woken = 0;
-  LiveJudge live([&] { ++woken; });
-  EXPECT_FALSE(live.poll());
+  News news([&] { ++woken; });
+  LiveJudge live(news);
+  EXPECT_FALSE(live.take());
   EXPECT_FALSE(live.is_busy());
-  live.submit(judge_request(3));
+  ask(live, judge_request(3));
   const std::optional<Judgement> result = wait_for_judgement(live);
   ASSERT_TRUE(result);
   EXPECT_EQ(result->id, 3U);
   EXPECT_EQ(measures_json(result->measures), measures_json(judge(judge_request(3)).measures));
-  EXPECT_FALSE(live.poll());
+  EXPECT_FALSE(live.take());
   const auto end = Clock::now() + std::chrono::seconds(30);
   while (woken == 0 && Clock::now() < end) std::this_thread::yield();
   EXPECT_EQ(woken, 1);
 }
 
 TEST(LiveJudge, errors_come_back_as_results_and_the_next_request_works) {
-  LiveJudge live;
+  News news;
+  LiveJudge live(news);
   JudgeRequest bad = judge_request(1);
   bad.view.lines = circle_lines(64, 20);
-  live.submit(bad);
+  ask(live, bad);
   const std::optional<Judgement> result = wait_for_judgement(live);
   ASSERT_TRUE(result);
   EXPECT_EQ(result->id, 1U);
   EXPECT_THAT(result->error, HasSubstr("must have one size"));
-  live.submit(judge_request(2));
+  ask(live, judge_request(2));
   const std::optional<Judgement> next = wait_for_judgement(live);
   ASSERT_TRUE(next);
   EXPECT_EQ(next->error, "");
 }
 
 TEST(LiveJudge, the_newest_request_wins_and_submitting_never_waits) {
-  LiveJudge live;
+  News news;
+  LiveJudge live(news);
   const JudgeRequest large = judge_request(0, 512);
   const double seconds_alone = judge(large).seconds;
   constexpr int kRequests = 2000;
@@ -160,7 +167,7 @@ TEST(LiveJudge, the_newest_request_wins_and_submitting_never_waits) {
   for (int i = 1; i <= kRequests; ++i) {
     JudgeRequest next = large;
     next.id = static_cast<uint64_t>(i);
-    live.submit(std::move(next));
+    ask(live, next);
   }
   const double submitting = std::chrono::duration<double>(Clock::now() - start).count();
   EXPECT_LT(submitting, kRequests * seconds_alone / 10) << "as if each were measured before the next";
@@ -182,14 +189,15 @@ TEST(LiveJudge, ends_without_starting_what_waits) {
   std::atomic<int> results = 0;
   std::promise<void> first_is_done;
   std::promise<void> may_go_on;
-  auto live = std::make_unique<LiveJudge>([&] {
+  News news([&] {
     if (++results > 1) return;
     first_is_done.set_value();
     may_go_on.get_future().wait();
   });
-  live->submit(judge_request(1));
+  auto live = std::make_unique<LiveJudge>(news);
+  ask(*live, judge_request(1));
   first_is_done.get_future().wait();
-  live->submit(judge_request(2));
+  ask(*live, judge_request(2));
   std::thread closer([&] { live.reset(); });
   std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the closer waits for the worker by now
   may_go_on.set_value();

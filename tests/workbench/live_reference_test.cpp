@@ -53,7 +53,7 @@ std::string svg(const ReferenceLines& lines) {
 /// What comes next; fails after 20 s.
 FoundLines wait_for(LiveReference& live) {
   for (int i = 0; i < 2000; ++i) {
-    if (std::optional<FoundLines> found = live.poll()) return *found;
+    if (std::optional<FoundLines> found = live.take()) return *found;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   ADD_FAILURE() << "waited in vain for lines";
@@ -86,9 +86,10 @@ TEST(LineFinder, stops_when_asked) {
 
 TEST(LiveReference, gives_the_lines_with_pictures_of_them) {
   const auto finder = std::make_shared<LineFinder>();
-  LiveReference live(finder, {});
+  News news;
+  LiveReference live(finder, news);
   const LineRequest request = sphere_request(sphere(), 3);
-  live.submit(request);
+  live.ask(request.key, [&] { return request; });
   const FoundLines found = wait_for(live);
   EXPECT_EQ(found.key, request.key);
   EXPECT_EQ(found.error, "");
@@ -108,9 +109,13 @@ TEST(LiveReference, gives_the_lines_with_pictures_of_them) {
 }
 
 TEST(LiveReference, the_newest_of_many_requests_comes_last) {
-  LiveReference live(std::make_shared<LineFinder>(), {});
+  News news;
+  LiveReference live(std::make_shared<LineFinder>(), news);
   const auto mesh = sphere();
-  for (const float distance : {3.0F, 3.5F, 4.0F, 4.5F, 5.0F}) live.submit(sphere_request(mesh, distance));
+  for (const float distance : {3.0F, 3.5F, 4.0F, 4.5F, 5.0F}) {
+    const LineRequest request = sphere_request(mesh, distance);
+    live.ask(request.key, [&] { return request; });
+  }
   FoundLines found = wait_for(live);
   while (live.is_busy() || found.key != sphere_request(mesh, 5).key) found = wait_for(live);
   EXPECT_EQ(found.key, sphere_request(mesh, 5).key);

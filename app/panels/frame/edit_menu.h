@@ -1,14 +1,16 @@
-// The menus that concern what is kept: Edit whole, and the File menu's part about files.
+// The Edit menu: undo, the clipboard, resetting.
 #pragma once
 
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
+#include "app/window/view_state.h"
+#include "app/workbench/document.h"
+#include "app/workbench/file_opener.h"
+#include "app/workbench/problems.h"
 
 namespace inkbench {
 
-/// Between BeginMenu("File") and EndMenu: opening, recent files, saving, copying.
-void draw_file_items(Workbench& bench);
-
-/// The whole menu.
-void draw_edit_menu(Workbench& bench);
+/// Between BeginMainMenuBar and EndMainMenuBar.
+void draw_edit_menu(Document& document, const ViewState& view, FileOpener& files, Problems& problems,
+                    UiMap& ui_map);
 
 }  // namespace inkbench

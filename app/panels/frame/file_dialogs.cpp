@@ -7,6 +7,7 @@
 
 #include "app/panels/widgets/attempt.h"
 #include "app/panels/widgets/widgets.h"
+#include "app/window/listed_buffers.h"
 #include "app/window/theme.h"
 #include "app/workbench/render_command_text.h"
 #include "app/workbench/scene_base.h"
@@ -21,32 +22,28 @@ namespace {
 constexpr std::array<std::string_view, 14> kOpened{".toml", ".obj", ".ply",  ".off", ".stl", ".png", ".exr",
                                                    ".jpg",  ".tif", ".tiff", ".hdr", ".bmp", ".tga", ".webp"};
 
-BufferName looked_at(const Workbench& bench) {
-  return bench.view.filled.value_or(bench.view.selected);
+void write_settings(Document& document, Problems& problems, const fs::path& path) {
+  write_file_atomically(path, preset_text(path.stem().string(), with_absolute_paths(document.settings())));
+  document.saved_as(path);
+  problems.tell(Severity::note, "saved the settings as " + path.string());
 }
 
-void write_settings(Workbench& bench, const fs::path& path) {
-  write_file_atomically(path, preset_text(path.stem().string(), with_absolute_paths(bench.settings())));
-  bench.saved_as(path);
-  bench.tell(Severity::note, "saved the settings as " + path.string());
-}
-
-fs::path start_folder(const Workbench& bench) {
-  if (!bench.scene().empty()) return bench.scene().parent_path();
+fs::path start_folder(const Document& document) {
+  if (!document.scene().empty()) return document.scene().parent_path();
   return project_file("data/scenes");
 }
 
-ChooserQuestion open_question(const Workbench& bench) {
+ChooserQuestion open_question(const Document& document) {
   return {.title = "Open",
           .help =
               "Scenes, presets, studies and ramps (.toml), exported images (.png, .exr), meshes (.obj, "
               ".ply, .off, .stl).",
           .button = "Open",
           .extensions = {kOpened.begin(), kOpened.end()},
-          .folder = start_folder(bench)};
+          .folder = start_folder(document)};
 }
 
-ChooserQuestion save_question(const Workbench& bench) {
+ChooserQuestion save_question(const Document& document, const Keeping& keeping) {
   return {.title = "Save the settings",
           .help =
               "All settings as one scene file (.toml), which `inkbench render --scene` and studies read, "
@@ -54,9 +51,9 @@ ChooserQuestion save_question(const Workbench& bench) {
           .button = "Save",
           .extensions = {".toml"},
           .folder =
-              is_preset_file(bench.scene()) ? bench.scene().parent_path() : bench.keeping.presets().folder(),
+              is_preset_file(document.scene()) ? document.scene().parent_path() : keeping.presets().folder(),
           .saves = true,
-          .name = is_preset_file(bench.scene()) ? bench.scene().filename().string() : "scene.toml"};
+          .name = is_preset_file(document.scene()) ? document.scene().filename().string() : "scene.toml"};
 }
 
 ChooserQuestion image_question(BufferName buffer, const fs::path& folder) {
@@ -80,17 +77,17 @@ fs::path with_ending(fs::path path, std::string_view ending, std::initializer_li
 
 }  // namespace
 
-void FileDialogs::begin(Workbench& bench, FileDialog dialog) {
+void FileDialogs::begin(FileDialog dialog) {
   dialog_ = dialog;
   std::error_code error;
   if (image_folder_.empty()) image_folder_ = fs::current_path(error);
-  if (dialog == FileDialog::open) chooser_.ask(open_question(bench));
+  if (dialog == FileDialog::open) chooser_.ask(open_question(document_));
   if (dialog == FileDialog::save_settings) {
-    fs::create_directories(bench.keeping.presets().folder(), error);  // where it cannot be, saving tells why
-    chooser_.ask(save_question(bench));
+    fs::create_directories(keeping_.presets().folder(), error);  // where it cannot be, saving tells why
+    chooser_.ask(save_question(document_, keeping_));
   }
   if (dialog != FileDialog::save_image) return;
-  buffer_ = looked_at(bench);
+  buffer_ = looked_at(view_);
   chooser_.ask(image_question(buffer_, image_folder_));
 }
 
@@ -98,13 +95,13 @@ void FileDialogs::set_image_ending(std::string_view ending) {
   chooser_.name() = fs::path(chooser_.name()).stem().string() + std::string(ending);
 }
 
-void FileDialogs::draw_image_choice(Workbench& bench) {
+void FileDialogs::draw_image_choice() {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Buffer");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(scaled(160));
   const bool open = ImGui::BeginCombo("##buffer", std::string(name_of(buffer_)).c_str());
-  bench.ui_map.mark_item("image:buffer");
+  ui_map_.mark_item("image:buffer");
   for (const BufferName buffer : all_buffers()) {
     if (!open) break;
     const std::string name(name_of(buffer));
@@ -113,7 +110,7 @@ void FileDialogs::draw_image_choice(Workbench& bench) {
       if (typed.stem() == name_of(buffer_)) chooser_.name() = name + typed.extension().string();
       buffer_ = buffer;
     }
-    bench.ui_map.mark_item("image:" + name);
+    ui_map_.mark_item("image:" + name);
   }
   if (open) ImGui::EndCombo();
   const std::string ending = lower_extension(chooser_.name());
@@ -122,37 +119,36 @@ void FileDialogs::draw_image_choice(Workbench& bench) {
     if (!lines && format == std::string_view(".svg")) continue;
     ImGui::SameLine();
     if (toggle_button(format + 1, ending == format)) set_image_ending(format);
-    bench.ui_map.mark_item(std::string("image:") + (format + 1));
+    ui_map_.mark_item(std::string("image:") + (format + 1));
   }
 }
 
-void FileDialogs::finish(Workbench& bench, fs::path path) {
-  if (dialog_ == FileDialog::open) return bench.open(path.string());
-  attempt(bench, [&] {
+void FileDialogs::finish(fs::path path) {
+  if (dialog_ == FileDialog::open) return files_.open(path.string());
+  attempt(problems_, [&] {
     if (dialog_ == FileDialog::save_settings)
-      return write_settings(bench, with_ending(path, ".toml", {".toml"}));
+      return write_settings(document_, problems_, with_ending(path, ".toml", {".toml"}));
     path = with_ending(path, ".png", {".png", ".exr", ".svg"});
-    write_buffer(bench.pictures.pipeline().at(bench.settings()), buffer_, path);
+    write_buffer(pictures_.pipeline().at(document_.settings()), buffer_, path);
     image_folder_ = path.parent_path();
-    bench.tell(Severity::note, fmt::format("saved {} as {}", name_of(buffer_), path.string()));
+    problems_.tell(Severity::note, fmt::format("saved {} as {}", name_of(buffer_), path.string()));
   });
 }
 
-void FileDialogs::draw(Workbench& bench) {
-  if (const auto wanted = std::exchange(bench.wanted_dialog, std::nullopt); wanted && !chooser_.is_open())
-    begin(bench, *wanted);
+void FileDialogs::draw() {
+  if (const auto wanted = std::exchange(wanted_dialog_, std::nullopt); wanted && !chooser_.is_open())
+    begin(*wanted);
   const bool asks_buffer = dialog_ == FileDialog::save_image;
-  const auto path =
-      asks_buffer ? chooser_.draw(bench, [&] { draw_image_choice(bench); }) : chooser_.draw(bench);
-  if (path) finish(bench, *path);
+  const auto path = asks_buffer ? chooser_.draw([&] { draw_image_choice(); }) : chooser_.draw();
+  if (path) finish(*path);
 }
 
-void save_settings(Workbench& bench) {
-  if (!is_preset_file(bench.scene())) {
-    bench.wanted_dialog = FileDialog::save_settings;
+void save_settings(Document& document, Problems& problems, WantedDialog& wanted_dialog) {
+  if (!is_preset_file(document.scene())) {
+    wanted_dialog = FileDialog::save_settings;
     return;
   }
-  attempt(bench, [&] { write_settings(bench, bench.scene()); });
+  attempt(problems, [&] { write_settings(document, problems, document.scene()); });
 }
 
 }  // namespace inkbench

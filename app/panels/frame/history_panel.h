@@ -4,18 +4,24 @@
 #include <string>
 #include <vector>
 
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
+#include "app/workbench/document.h"
 
 namespace inkbench {
 
 class HistoryPanel {
  public:
+  /// Both must outlive it.
+  HistoryPanel(Document& document, UiMap& ui_map) : document_(document), ui_map_(ui_map) {}
+
   /// Draws into the current ImGui window.
-  void draw(Workbench& bench);
+  void draw();
 
  private:
-  void draw_step(Workbench& bench, size_t position);
+  void draw_step(size_t position);
 
+  Document& document_;
+  UiMap& ui_map_;
   std::vector<std::string> names_;
   long seen_revision_ = -1;
 };

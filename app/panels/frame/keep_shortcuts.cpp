@@ -10,56 +10,54 @@
 #include "app/panels/widgets/letter_key.h"
 
 namespace inkbench {
-namespace {
 
-bool ask(Workbench& bench, FileDialog dialog) {
-  bench.wanted_dialog = dialog;
+bool KeepShortcuts::ask(FileDialog dialog) {
+  wanted_dialog_ = dialog;
   return true;
 }
 
-bool file_keys(Workbench& bench, bool shift) {
-  if (letter_pressed('o')) return ask(bench, FileDialog::open);
-  if (letter_pressed('e')) return ask(bench, FileDialog::save_image);
+bool KeepShortcuts::file_keys(bool shift) {
+  if (letter_pressed('o')) return ask(FileDialog::open);
+  if (letter_pressed('e')) return ask(FileDialog::save_image);
   if (!letter_pressed('s')) return false;
-  if (shift) return ask(bench, FileDialog::save_settings);
-  save_settings(bench);
+  if (shift) return ask(FileDialog::save_settings);
+  save_settings(document_, problems_, wanted_dialog_);
   return true;
 }
 
 /// Keys that mean something else while a text is typed.
-bool editing_keys(Workbench& bench, bool shift) {
+bool KeepShortcuts::editing_keys(bool shift) {
   if (letter_pressed('z')) {
-    shift ? bench.redo() : bench.undo();
+    shift ? document_.redo() : document_.undo();
   } else if (letter_pressed('y')) {
-    bench.redo();
+    document_.redo();
   } else if (shift && letter_pressed('c')) {
-    copy_render_command(bench);
+    copy_render_command(document_, view_, problems_);
   } else if (letter_pressed('v')) {
-    paste(bench);
+    paste(document_, files_, problems_);
   } else {
     return false;
   }
   return true;
 }
 
-bool view_keys(Workbench& bench, bool control, bool shift) {
+bool KeepShortcuts::view_keys(bool control, bool shift) {
   if (!control && letter_pressed('w')) {
-    bench.view.wireframe = !bench.view.wireframe;
+    view_.wireframe = !view_.wireframe;
     return true;
   }
   for (int key = 1; key <= 9; ++key) {
     if (!ImGui::IsKeyPressed(GLFW_KEY_0 + key, false) || control == shift) continue;
-    control ? keep_view(bench, key) : recall_view(bench, key);
+    control ? keep_view(document_, keeping_, problems_, key)
+            : recall_view(document_, keeping_, problems_, key);
     return true;
   }
   if (control || !ImGui::IsKeyPressed(GLFW_KEY_HOME, false)) return false;
-  fit_view(bench, shift ? FitTo::model : FitTo::scene);
+  fit_view(document_, pictures_, problems_, shift ? FitTo::model : FitTo::scene);
   return true;
 }
 
-}  // namespace
-
-bool handle_keep_shortcuts(Workbench& bench) {
+bool KeepShortcuts::handle() {
   const ImGuiIO& io = ImGui::GetIO();
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (popup && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false) && ImGui::GetTopMostPopupModal() == nullptr) {
@@ -67,9 +65,9 @@ bool handle_keep_shortcuts(Workbench& bench) {
     return true;
   }
   if (popup || io.KeyAlt) return false;
-  if (io.KeyCtrl && file_keys(bench, io.KeyShift)) return true;
+  if (io.KeyCtrl && file_keys(io.KeyShift)) return true;
   if (io.WantTextInput) return false;
-  return (io.KeyCtrl && editing_keys(bench, io.KeyShift)) || view_keys(bench, io.KeyCtrl, io.KeyShift);
+  return (io.KeyCtrl && editing_keys(io.KeyShift)) || view_keys(io.KeyCtrl, io.KeyShift);
 }
 
 }  // namespace inkbench

@@ -110,15 +110,14 @@ void draw_columns(float height) {
 
 }  // namespace
 
-void draw_keys_page(Workbench& bench) {
-  if (!bench.layout.show_welcome) return;
+void draw_keys_page(WindowLayout& layout, UiMap& ui_map) {
+  if (!layout.show_welcome) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(screen);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 110));
   ImGui::Begin("behind the keys", nullptr, kFlags);
-  if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-    bench.layout.show_welcome = false;
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) layout.show_welcome = false;
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
@@ -134,8 +133,8 @@ void draw_keys_page(Workbench& bench) {
   faint_text("Every number has a slider on the left; every picture follows at once.");
   ImGui::Dummy({0, scaled(8)});
   draw_columns(std::min(scaled(500), screen.y - scaled(160)));
-  if (ImGui::Button("Start", {scaled(110), 0})) bench.layout.show_welcome = false;
-  bench.ui_map.mark_item("start");
+  if (ImGui::Button("Start", {scaled(110), 0})) layout.show_welcome = false;
+  ui_map.mark_item("start");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   faint_text("Esc closes this page, F1 shows it again.");

@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::array kTitles{"Parameters", "Presets", "History", "Cameras"};
 
-void draw_tab(Workbench& bench, LeftTab tab, ImVec2 low, ImVec2 size) {
+void draw_tab(WindowLayout& layout, UiMap& ui_map, LeftTab tab, ImVec2 low, ImVec2 size) {
   const char* title = kTitles[static_cast<size_t>(tab)];
-  const bool on = bench.layout.left_tab == tab;
+  const bool on = layout.left_tab == tab;
   ImGui::SetCursorScreenPos(low);
-  if (ImGui::InvisibleButton(title, size)) bench.layout.left_tab = tab;
-  bench.ui_map.mark_item(std::string("tab:") + title);
+  if (ImGui::InvisibleButton(title, size)) layout.left_tab = tab;
+  ui_map.mark_item(std::string("tab:") + title);
   const bool hot = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImFont* font = on ? fonts().bold : fonts().text;
@@ -50,19 +50,19 @@ std::array<float, kTitles.size()> title_widths(size_t chosen, float room) {
 }
 
 /// Widths by the titles' lengths, so that each has the same room around it.
-void draw_tabs(Workbench& bench) {
+void draw_tabs(WindowLayout& layout, UiMap& ui_map) {
   const ImVec2 low = ImGui::GetWindowPos();
   const float width = ImGui::GetWindowWidth();
   const float height = ImGui::GetFrameHeight() + scaled(2);
   ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + height}, theme().bar);
-  const auto widths = title_widths(static_cast<size_t>(bench.layout.left_tab), width);
+  const auto widths = title_widths(static_cast<size_t>(layout.left_tab), width);
   const float sum = std::accumulate(widths.begin(), widths.end(), 0.0F);
   const float room = std::clamp((width - sum) / static_cast<float>(kTitles.size()), 0.0F, scaled(22));
   const float shrink = std::min(1.0F, width / sum);
   float x = low.x;
   for (size_t i = 0; i < kTitles.size(); ++i) {
     const float each = std::floor(widths[i] * shrink + room);
-    draw_tab(bench, static_cast<LeftTab>(i), {x, low.y}, {each, height});
+    draw_tab(layout, ui_map, static_cast<LeftTab>(i), {x, low.y}, {each, height});
     x += each;
   }
   ImGui::SetCursorScreenPos({low.x + ImGui::GetStyle().WindowPadding.x, low.y + height + scaled(6)});
@@ -70,23 +70,23 @@ void draw_tabs(Workbench& bench) {
 
 }  // namespace
 
-void LeftPanel::focus_search(Workbench& bench) {
-  bench.layout.show_parameters = true;
-  bench.layout.left_tab = LeftTab::parameters;
+void LeftPanel::focus_search() {
+  layout_.show_parameters = true;
+  layout_.left_tab = LeftTab::parameters;
   parameters_.focus_search();
 }
 
-void LeftPanel::draw(Workbench& bench) {
-  draw_tabs(bench);
-  switch (bench.layout.left_tab) {
+void LeftPanel::draw() {
+  draw_tabs(layout_, ui_map_);
+  switch (layout_.left_tab) {
     case LeftTab::parameters:
-      return parameters_.draw(bench);
+      return parameters_.draw();
     case LeftTab::presets:
-      return presets_.draw(bench);
+      return presets_.draw();
     case LeftTab::history:
-      return history_.draw(bench);
+      return history_.draw();
     case LeftTab::views:
-      return views_.draw(bench);
+      return views_.draw();
   }
 }
 

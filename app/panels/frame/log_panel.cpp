@@ -23,7 +23,7 @@ std::string line_of(const Message& message) {
 }
 
 /// Where the message names a place in a file: a word to press, which copies it for an editor.
-void draw_place(Workbench& bench, const Message& message) {
+void draw_place(MessageLog& log, UiMap& ui_map, const Message& message) {
   if (message.severity == Severity::note) return;
   const std::string place = place_in_text(message.text);
   if (place.empty()) return;
@@ -32,14 +32,14 @@ void draw_place(Workbench& bench, const Message& message) {
   ImGui::PushStyleColor(ImGuiCol_Text, theme().accent);
   const bool pressed = ImGui::Selectable(place.c_str(), false, 0, {width, 0});
   ImGui::PopStyleColor();
-  bench.ui_map.mark_item("place:" + place);
+  ui_map.mark_item("place:" + place);
   help_for_item("Copies " + whole_place(place));
   if (!pressed) return;
   ImGui::SetClipboardText(whole_place(place).c_str());
-  bench.tell(Severity::note, "copied " + whole_place(place));
+  log.add(Severity::note, "copied " + whole_place(place));
 }
 
-void draw_message(Workbench& bench, const Message& message, int index) {
+void draw_message(MessageLog& log, UiMap& ui_map, const Message& message, int index) {
   ImGui::PushID(index);
   faint_text(message.time);
   ImGui::SameLine(scaled(74));
@@ -53,13 +53,13 @@ void draw_message(Workbench& bench, const Message& message, int index) {
     if (ImGui::MenuItem("Copy")) ImGui::SetClipboardText(message.text.c_str());
     ImGui::EndPopup();
   }
-  draw_place(bench, message);
+  draw_place(log, ui_map, message);
   ImGui::PopID();
 }
 
 }  // namespace
 
-void LogPanel::draw(Workbench& bench) {
+void LogPanel::draw() {
   const float buttons = scaled(190);
   ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - buttons, scaled(60)));
   ImGui::InputTextWithHint("##filter", "Filter the log", &filter_);
@@ -68,20 +68,20 @@ void LogPanel::draw(Workbench& bench) {
   ImGui::SameLine();
   const bool copies = ImGui::Button("Copy");
   ImGui::SameLine();
-  if (ImGui::Button("Clear")) bench.log.clear();
+  if (ImGui::Button("Clear")) log_.clear();
   ImGui::BeginChild("lines", {0, 0}, false, ImGuiWindowFlags_NoBackground);
   std::string copied;
   int index = 0;
-  for (const Message& message : bench.log.messages()) {
+  for (const Message& message : log_.messages()) {
     const bool shown = (!only_errors_ || message.severity == Severity::error) &&
                        (filter_.empty() || message.text.find(filter_) != std::string::npos);
     if (!shown) continue;
-    draw_message(bench, message, index++);
+    draw_message(log_, ui_map_, message, index++);
     if (copies) copied += line_of(message) + "\n";
   }
   if (copies) ImGui::SetClipboardText(copied.c_str());
-  if (seen_revision_ != bench.log.revision()) ImGui::SetScrollHereY(1.0F);
-  seen_revision_ = bench.log.revision();
+  if (seen_revision_ != log_.revision()) ImGui::SetScrollHereY(1.0F);
+  seen_revision_ = log_.revision();
   ImGui::EndChild();
 }
 

@@ -3,15 +3,21 @@
 
 #include <string>
 
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
+#include "app/workbench/message_log.h"
 
 namespace inkbench {
 
 class LogPanel {
  public:
-  void draw(Workbench& bench);
+  /// Both must outlive it.
+  LogPanel(MessageLog& log, UiMap& ui_map) : log_(log), ui_map_(ui_map) {}
+
+  void draw();
 
  private:
+  MessageLog& log_;
+  UiMap& ui_map_;
   std::string filter_;
   bool only_errors_ = false;
   long seen_revision_ = 0;

@@ -5,16 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/frame/edit_menu.h"
 #include "app/panels/frame/keys_page.h"
 #include "app/panels/frame/notices.h"
-#include "app/panels/frame/shortcuts.h"
 #include "app/panels/frame/status_bar.h"
 #include "app/panels/frame/timings.h"
 #include "app/panels/frame/toolbar.h"
-#include "app/panels/pictures/contact_sheet.h"
+#include "app/panels/widgets/attempt.h"
 #include "app/panels/widgets/hover.h"
 #include "app/panels/widgets/widgets.h"
 #include "app/window/theme.h"
+#include "app/workbench/open_outside.h"
+#include "pipeline/base/files.h"
 
 namespace inkbench {
 namespace {
@@ -48,12 +50,12 @@ void panel(const char* name, const Area& area, ImU32 colour, const Draw& draw, I
 }
 
 /// A strip that can be dragged; returns by how much.
-float divider(Workbench& bench, const char* name, const Area& area, bool upright) {
+float divider(UiMap& ui_map, const char* name, const Area& area, bool upright) {
   float moved = 0;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   panel(name, area, theme().line, [&] {
     ImGui::InvisibleButton("grip", {area.high.x - area.low.x, area.high.y - area.low.y});
-    bench.ui_map.mark_item(name);
+    ui_map.mark_item(name);
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (hot) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     if (hot) ImGui::GetWindowDrawList()->AddRectFilled(area.low, area.high, theme().accent);
@@ -68,17 +70,55 @@ void move_share(float& share, float by, float whole, float largest) {
   if (by != 0) share = std::clamp(share + by / std::max(whole, 1.0F), 0.08F, largest);
 }
 
+void draw_help_menu(WindowLayout& layout, Problems& problems, UiMap& ui_map) {
+  const bool open = ImGui::BeginMenu("Help");
+  ui_map.mark_item("menu:Help");
+  if (!open) return;
+  if (menu_item(ui_map, "Keys and mouse", "F1")) layout.show_welcome = true;
+  if (menu_item(ui_map, "Documentation"))
+    attempt(problems, [] { open_outside(project_file("docs/workbench.md")); });
+  ImGui::EndMenu();
+}
+
 }  // namespace
+
+MainFrame::MainFrame(Workbench& bench)
+    : bench_(bench),
+      parameters_(bench.document, bench.layout, bench.view, bench.studies, bench.problems, bench.requests,
+                  bench.ui_map),
+      presets_(bench.document, bench.files, bench.keeping, bench.problems, bench.ui_map),
+      history_(bench.document, bench.ui_map),
+      views_(bench.document, bench.viewer.pictures, bench.keeping, bench.problems, bench.ui_map),
+      left_(bench.layout, bench.ui_map, parameters_, presets_, history_, views_),
+      inspector_(bench.document, bench.viewer, bench.layout, bench.view, bench.ui_map),
+      judge_(bench.document, bench.viewer, bench.layout, bench.requests, bench.ui_map),
+      side_panel_(bench.layout, bench.ui_map, inspector_, judge_),
+      sheet_(bench.document, bench.viewer, bench.layout, bench.view, bench.problems, bench.wanted_dialog,
+             bench.ui_map),
+      studies_(bench.document, bench.viewer, bench.studies, bench.problems, bench.requests, bench.ui_map),
+      ramp_editor_(bench.document, bench.viewer.disk, bench.problems, bench.requests, bench.ui_map),
+      log_(bench.log, bench.ui_map),
+      file_menu_(bench.document, bench.files, bench.keeping, bench.problems, bench.requests,
+                 bench.wanted_dialog, bench.ui_map),
+      view_menu_(bench.document, bench.viewer, bench.layout, bench.view, bench.problems, bench.requests,
+                 bench.ui_map),
+      studies_menu_(bench.document, bench.studies, bench.problems, bench.requests, bench.ui_map),
+      dialogs_(bench.document, bench.viewer.pictures, bench.view, bench.files, bench.keeping, bench.problems,
+               bench.wanted_dialog, bench.ui_map),
+      keep_shortcuts_(bench.document, bench.viewer.pictures, bench.view, bench.files, bench.keeping,
+                      bench.problems, bench.wanted_dialog),
+      shortcuts_(keep_shortcuts_, bench.document, bench.viewer, bench.layout, bench.view, bench.studies,
+                 bench.problems, bench.requests, bench.ui_map) {}
 
 struct MainFrame::Places {
   Area left, middle, right, timings, log, status;
   Area left_divider, right_divider, bottom_divider;
 };
 
-MainFrame::Places MainFrame::arrange(Workbench& bench) const {
-  const WindowLayout& layout = bench.layout;
+MainFrame::Places MainFrame::arrange() const {
+  const WindowLayout& layout = bench_.layout;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float top = menu_bar_.height();
+  const float top = menu_height_;
   const float foot = screen.y - ImGui::GetTextLineHeight() - scaled(8);
   const float gap = scaled(kDivider);
   const auto side = [&](bool shown, float share, float smallest) {
@@ -87,12 +127,12 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
   const bool left_fits = screen.x >= scaled(kLeftFits), right_fits = screen.x >= scaled(kRightFits);
   float left = side(layout.show_parameters && left_fits, layout.left, kSmallestLeft);
   float right =
-      side(layout.show_inspector && !bench.studies.page_open && right_fits, layout.right, kSmallestRight);
+      side(layout.show_inspector && !bench_.studies.page_open && right_fits, layout.right, kSmallestRight);
   if (!right_fits) left = std::min(left, std::floor(screen.x / 2 - gap));
   const float spare = screen.x - left - right - scaled(kSmallestMiddle);
   if (spare < 0) right = std::max(0.0F, right + spare);
   const bool fits = screen.y >= scaled(kBottomFits);
-  const bool has_bottom = (fits && (layout.show_timings || layout.show_log)) || bench.view.edits_ramps;
+  const bool has_bottom = (fits && (layout.show_timings || layout.show_log)) || bench_.view.edits_ramps;
   const float wanted = std::max(std::round(layout.bottom * screen.y), scaled(kSmallestBottom));
   const float bottom = has_bottom ? std::min(wanted, (foot - top) * (fits ? 0.6F : 0.5F)) : 0;
   const float middle_foot = bottom > 0 ? foot - bottom - gap : foot;
@@ -116,62 +156,78 @@ MainFrame::Places MainFrame::arrange(Workbench& bench) const {
   return places;
 }
 
-void MainFrame::draw_dividers(Workbench& bench, const Places& places) {
-  WindowLayout& layout = bench.layout;
+void MainFrame::draw_dividers(const Places& places) {
+  WindowLayout& layout = bench_.layout;
+  UiMap& ui_map = bench_.ui_map;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  move_share(layout.left, divider(bench, "divider:left", places.left_divider, true), screen.x, 0.42F);
-  move_share(layout.right, -divider(bench, "divider:right", places.right_divider, true), screen.x, 0.42F);
-  move_share(layout.bottom, -divider(bench, "divider:bottom", places.bottom_divider, false), screen.y, 0.6F);
+  move_share(layout.left, divider(ui_map, "divider:left", places.left_divider, true), screen.x, 0.42F);
+  move_share(layout.right, -divider(ui_map, "divider:right", places.right_divider, true), screen.x, 0.42F);
+  move_share(layout.bottom, -divider(ui_map, "divider:bottom", places.bottom_divider, false), screen.y, 0.6F);
 }
 
-void MainFrame::draw_bottom(Workbench& bench, const Places& places) {
-  if (bench.view.edits_ramps) {
+void MainFrame::draw_bottom(const Places& places) {
+  if (bench_.view.edits_ramps) {
     panel("ramps", {places.timings.low, places.log.high}, theme().panel, [&] {
       panel_heading("Ramps");
-      if (close_button("close")) bench.view.edits_ramps = false;
-      bench.ui_map.mark_item("close ramps");
-      ramp_editor_.draw(bench);
+      if (close_button("close")) bench_.view.edits_ramps = false;
+      bench_.ui_map.mark_item("close ramps");
+      ramp_editor_.draw();
     });
     return;
   }
+  const Viewer& viewer = bench_.viewer;
   panel("timings", places.timings, theme().panel, [&] {
     panel_heading("Timings");
-    draw_timings(bench);
+    draw_timings(viewer.pictures.pipeline(), viewer.timer, viewer.window_timer);
   });
   panel("log", places.log, theme().panel, [&] {
     panel_heading("Log");
-    log_.draw(bench);
+    log_.draw();
   });
 }
 
-void MainFrame::draw(Workbench& bench) {
-  const ShortcutRequests keys = handle_shortcuts(bench);
-  if (keys.search) left_.focus_search(bench);
-  menu_bar_.draw(bench);
-  const Places places = arrange(bench);
-  panel("left", places.left, theme().panel, [&] { left_.draw(bench); });
-  follow_studies(bench);
-  if (bench.studies.page_open) {
-    panel("studies", places.middle, theme().panel, [&] { studies_.draw(bench); });
+void MainFrame::draw_menu_bar() {
+  if (ImGui::BeginMainMenuBar()) {
+    menu_height_ = ImGui::GetWindowHeight();
+    file_menu_.draw();
+    draw_edit_menu(bench_.document, bench_.view, bench_.files, bench_.problems, bench_.ui_map);
+    view_menu_.draw();
+    studies_menu_.draw_menu();
+    draw_help_menu(bench_.layout, bench_.problems, bench_.ui_map);
+    ImGui::EndMainMenuBar();
   }
+  studies_menu_.draw_question();
+}
+
+void MainFrame::draw_pictures() {
+  draw_toolbar(bench_.viewer, bench_.layout, bench_.view, bench_.ui_map);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  sheet_.draw();
+  draw_notices(bench_.document, bench_.viewer, bench_.layout, bench_.keeping, bench_.problems, bench_.ui_map,
+               low);
+}
+
+void MainFrame::draw() {
+  const ShortcutRequests keys = shortcuts_.handle();
+  if (keys.search) left_.focus_search();
+  draw_menu_bar();
+  const Places places = arrange();
+  panel("left", places.left, theme().panel, [&] { left_.draw(); });
+  follow_studies(bench_.studies, bench_.problems, bench_.requests);
+  if (bench_.studies.page_open) panel("studies", places.middle, theme().panel, [&] { studies_.draw(); });
   panel(
-      "pictures", bench.studies.page_open ? Area{} : places.middle, theme().canvas,
-      [&] {
-        draw_toolbar(bench);
-        const ImVec2 low = ImGui::GetCursorScreenPos();
-        draw_contact_sheet(bench);
-        draw_notices(bench, low);
-      },
+      "pictures", bench_.studies.page_open ? Area{} : places.middle, theme().canvas, [&] { draw_pictures(); },
       ImGuiWindowFlags_NoScrollWithMouse);
-  panel("inspector", places.right, theme().panel, [&] { side_panel_.draw(bench); });
-  draw_bottom(bench, places);
+  panel("inspector", places.right, theme().panel, [&] { side_panel_.draw(); });
+  draw_bottom(places);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(4)));
-  panel("status", places.status, theme().bar, [&] { draw_status_bar(bench); });
+  panel("status", places.status, theme().bar,
+        [&] { draw_status_bar(bench_.document, bench_.viewer, bench_.view, bench_.studies); });
   ImGui::PopStyleVar();
-  draw_dividers(bench, places);
-  draw_keys_page(bench);
-  dialogs_.draw(bench);
-  if (is_hover_pending()) bench.wake_in(kHelpDelay / 2);
+  draw_dividers(places);
+  draw_keys_page(bench_.layout, bench_.ui_map);
+  dialogs_.draw();
+  if (is_hover_pending()) bench_.requests.wake_in(kHelpDelay / 2);
 }
 
 }  // namespace inkbench

@@ -8,18 +8,19 @@
 
 namespace inkbench {
 
-void draw_notices(Workbench& bench, ImVec2 low) {
+void draw_notices(Document& document, Viewer& viewer, WindowLayout& layout, Keeping& keeping,
+                  Problems& problems, UiMap& ui_map, ImVec2 low) {
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(low);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float height = restore_bar_height(bench) + banner_height(bench, room.x);
+  const float height = restore_bar_height(keeping) + banner_height(problems, room.x);
   // A window of its own takes the mouse from the picture below; long compiler messages scroll in it.
   if (height > 0 && room.y > 1) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme().canvas);
     ImGui::BeginChild("notices", {0, std::min(height, room.y)});
     ImGui::PopStyleColor();
-    draw_restore_bar(bench);
-    draw_banner(bench);
+    draw_restore_bar(document, layout, keeping, ui_map);
+    draw_banner(viewer, problems, ui_map);
     ImGui::EndChild();
   }
   ImGui::SetCursorScreenPos(after);

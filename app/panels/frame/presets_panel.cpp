@@ -26,8 +26,8 @@ std::string cell_text(const std::optional<Value>& value) {
 
 }  // namespace
 
-void PresetsPanel::list_again(Workbench& bench) {
-  names_ = bench.keeping.presets().list();
+void PresetsPanel::list_again() {
+  names_ = keeping_.presets().list();
   frames_to_listing_ = kListEveryFrames;
   if (std::find(names_.begin(), names_.end(), selected_) != names_.end()) return;
   selected_.clear();
@@ -35,116 +35,116 @@ void PresetsPanel::list_again(Workbench& bench) {
   question_ = Question::none;
 }
 
-void PresetsPanel::select(Workbench& bench, const std::string& name) {
+void PresetsPanel::select(const std::string& name) {
   selected_ = name;
   settings_.reset();
   fault_.clear();
   question_ = Question::none;
   compared_revision_ = -1;
   try {
-    settings_ = bench.keeping.presets().load(name);
+    settings_ = keeping_.presets().load(name);
   } catch (const Error& error) {
     fault_ = error.what();
   }
 }
 
-void PresetsPanel::save(Workbench& bench, const std::string& name, bool overwrite) {
-  const bool saved = attempt(bench, [&] {
-    const PresetStore& presets = bench.keeping.presets();
-    presets.save(name, with_absolute_paths(bench.settings()), overwrite);
-    bench.keeping.add_recent(presets.path_of(name));
-    bench.tell(Severity::note, "saved the preset " + name);
+void PresetsPanel::save(const std::string& name, bool overwrite) {
+  const bool saved = attempt(problems_, [&] {
+    const PresetStore& presets = keeping_.presets();
+    presets.save(name, with_absolute_paths(document_.settings()), overwrite);
+    keeping_.add_recent(presets.path_of(name));
+    problems_.tell(Severity::note, "saved the preset " + name);
   });
   if (saved) name_.clear();
-  list_again(bench);
-  if (bench.keeping.presets().contains(name)) select(bench, name);
+  list_again();
+  if (keeping_.presets().contains(name)) select(name);
 }
 
-void PresetsPanel::remove(Workbench& bench) {
-  attempt(bench, [&] {
-    bench.keeping.presets().remove(selected_);
-    bench.tell(Severity::note, "deleted the preset " + selected_);
+void PresetsPanel::remove() {
+  attempt(problems_, [&] {
+    keeping_.presets().remove(selected_);
+    problems_.tell(Severity::note, "deleted the preset " + selected_);
   });
-  list_again(bench);
+  list_again();
 }
 
-void PresetsPanel::draw_saving(Workbench& bench) {
+void PresetsPanel::draw_saving() {
   const float button = button_width("Save");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
   const bool entered = ImGui::InputTextWithHint("##name", "Name of a new preset", &name_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
-  bench.ui_map.mark_item("preset:name");
+  ui_map_.mark_item("preset:name");
   ImGui::SameLine();
   ImGui::BeginDisabled(name_.empty());
   const bool pressed = ImGui::Button("Save");
-  bench.ui_map.mark_item("preset:save");
+  ui_map_.mark_item("preset:save");
   ImGui::EndDisabled();
-  if ((entered || pressed) && !name_.empty()) save(bench, std::string(name_), false);
+  if ((entered || pressed) && !name_.empty()) save(std::string(name_), false);
 }
 
-void PresetsPanel::draw_list(Workbench& bench, float height) {
+void PresetsPanel::draw_list(float height) {
   ImGui::BeginChild("presets", {0, height}, false, ImGuiWindowFlags_NoBackground);
   if (names_.empty()) {
     wrapped_text("No presets yet. A preset keeps all settings under a name.", theme().faint);
   }
   const std::vector<std::string> names = names_;  // a double click loads, which lists again
   for (const std::string& name : names) {
-    const bool is_scene = bench.scene() == bench.keeping.presets().path_of(name);
+    const bool is_scene = document_.scene() == keeping_.presets().path_of(name);
     const ImVec2 place = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     if (ImGui::Selectable(("##" + name).c_str(), name == selected_, ImGuiSelectableFlags_AllowDoubleClick)) {
-      select(bench, name);
+      select(name);
       if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        bench.open(bench.keeping.presets().path_of(name).string());
+        files_.open(keeping_.presets().path_of(name).string());
     }
-    bench.ui_map.mark_item("preset=" + name);
+    ui_map_.mark_item("preset=" + name);
     draw_fitted_text(*ImGui::GetWindowDrawList(), {place.x + scaled(4), place.y}, width - scaled(8),
                      is_scene && name != selected_ ? theme().accent : theme().text, name);
   }
   ImGui::EndChild();
 }
 
-void PresetsPanel::draw_question(Workbench& bench) {
+void PresetsPanel::draw_question() {
   const bool removes = question_ == Question::remove;
   ImGui::AlignTextToFramePadding();
   fitted_text((removes ? "Delete " : "Replace ") + selected_ + "?",
               ImGui::GetContentRegionAvail().x - scaled(120), theme().text);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - scaled(112));
   const bool agreed = ImGui::Button(removes ? "Delete" : "Replace");
-  bench.ui_map.mark_item("preset:yes");
+  ui_map_.mark_item("preset:yes");
   ImGui::SameLine();
   if (ImGui::Button("No") || agreed) question_ = Question::none;
   if (!agreed) return;
-  removes ? remove(bench) : save(bench, std::string(selected_), true);
+  removes ? remove() : save(std::string(selected_), true);
 }
 
-void PresetsPanel::draw_actions(Workbench& bench) {
-  if (question_ != Question::none) return draw_question(bench);
+void PresetsPanel::draw_actions() {
+  if (question_ != Question::none) return draw_question();
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  if (ImGui::Button("Load", {width, 0})) bench.open(bench.keeping.presets().path_of(selected_).string());
-  bench.ui_map.mark_item("preset:load");
+  if (ImGui::Button("Load", {width, 0})) files_.open(keeping_.presets().path_of(selected_).string());
+  ui_map_.mark_item("preset:load");
   ImGui::SameLine();
   if (ImGui::Button("Replace", {width, 0})) question_ = Question::replace;
-  bench.ui_map.mark_item("preset:replace");
+  ui_map_.mark_item("preset:replace");
   help_for_item("Put the settings as they are now in this preset's place.");
   ImGui::SameLine();
   if (ImGui::Button("Delete", {width, 0})) question_ = Question::remove;
-  bench.ui_map.mark_item("preset:delete");
+  ui_map_.mark_item("preset:delete");
 }
 
-void PresetsPanel::draw_comparison(Workbench& bench) {
-  if (compared_revision_ != bench.revision()) {
-    const std::array both{NamedSettings{"now", with_absolute_paths(bench.settings())},
+void PresetsPanel::draw_comparison() {
+  if (compared_revision_ != document_.revision()) {
+    const std::array both{NamedSettings{"now", with_absolute_paths(document_.settings())},
                           NamedSettings{selected_, *settings_}};
     table_ = compare_settings(both);
-    compared_revision_ = bench.revision();
+    compared_revision_ = document_.revision();
   }
   if (table_.rows.empty()) return faint_text("Nothing differs from the settings now.");
   faint_text(std::to_string(table_.rows.size()) + (table_.rows.size() == 1 ? " difference" : " differences"));
   const float button = button_width("Copy");
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
   if (ImGui::Button("Copy")) ImGui::SetClipboardText(table_text(table_).c_str());
-  bench.ui_map.mark_item("preset:copy table");
+  ui_map_.mark_item("preset:copy table");
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
   if (!ImGui::BeginTable("differences", 3, kFlags)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
@@ -169,16 +169,16 @@ void PresetsPanel::draw_comparison(Workbench& bench) {
   ImGui::EndTable();
 }
 
-void PresetsPanel::draw(Workbench& bench) {
-  if (--frames_to_listing_ < 0) list_again(bench);
-  draw_saving(bench);
+void PresetsPanel::draw() {
+  if (--frames_to_listing_ < 0) list_again();
+  draw_saving();
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float wanted = line * static_cast<float>(std::max<size_t>(names_.size(), 3)) + scaled(4);
-  draw_list(bench, std::min(wanted, ImGui::GetContentRegionAvail().y * 0.5F));
+  draw_list(std::min(wanted, ImGui::GetContentRegionAvail().y * 0.5F));
   if (selected_.empty()) return;
   ImGui::Separator();
-  draw_actions(bench);
-  if (settings_) return draw_comparison(bench);
+  draw_actions();
+  if (settings_) return draw_comparison();
   wrapped_text(fault_, theme().error);
 }
 

@@ -21,26 +21,26 @@ std::string time_text(std::filesystem::file_time_type time) {
   return fmt::format("{:%d %b, %H:%M}", fmt::localtime(seconds));
 }
 
-std::string work_text(const Workbench& bench, const UnsavedWork& work) {
-  const auto changes = changed_params(bench.settings(), work.session.settings);
+std::string work_text(const Document& document, const UnsavedWork& work) {
+  const auto changes = changed_params(document.settings(), work.session.settings);
   const std::string scene = work.session.scene.empty() ? "unnamed" : work.session.scene.filename().string();
   return fmt::format("Of {}, {}: {}", time_text(work.time), scene, changes_name(changes));
 }
 
 }  // namespace
 
-float restore_bar_height(const Workbench& bench) {
-  if (bench.keeping.unsaved().empty()) return 0;
+float restore_bar_height(const Keeping& keeping) {
+  if (keeping.unsaved().empty()) return 0;
   return 2 * ImGui::GetTextLineHeight() + scaled(20);
 }
 
-void draw_restore_bar(Workbench& bench) {
-  if (bench.keeping.unsaved().empty()) return;
+void draw_restore_bar(Document& document, WindowLayout& layout, Keeping& keeping, UiMap& ui_map) {
+  if (keeping.unsaved().empty()) return;
   const float pad = scaled(10);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float buttons = scaled(168);
-  const float height = restore_bar_height(bench) - scaled(4);
+  const float height = restore_bar_height(keeping) - scaled(4);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, {low.x + width, low.y + height}, theme().bar, scaled(3));
   list.AddRectFilled(low, {low.x + scaled(4), low.y + height}, theme().accent, scaled(2));
@@ -49,16 +49,16 @@ void draw_restore_bar(Workbench& bench) {
                "There is unsaved work from a window that was not closed.");
   place.y += ImGui::GetTextLineHeight() + scaled(3);
   draw_fitted_text(list, place, width - buttons - 2 * pad, theme().faint,
-                   work_text(bench, bench.keeping.unsaved().front()));
+                   work_text(document, keeping.unsaved().front()));
   ImGui::SetCursorScreenPos({low.x + width - buttons, low.y + (height - ImGui::GetFrameHeight()) / 2});
   const bool restores = ImGui::Button("Restore");
-  bench.ui_map.mark_item("restore");
+  ui_map.mark_item("restore");
   ImGui::SameLine();
   const bool discards = ImGui::Button("Discard");
-  bench.ui_map.mark_item("discard");
+  ui_map.mark_item("discard");
   ImGui::SetCursorScreenPos({low.x, low.y + height + scaled(4)});
-  if (restores) bench.keeping.restore(bench);
-  if (discards) bench.keeping.discard();
+  if (restores) keeping.restore(document, layout);
+  if (discards) keeping.discard();
 }
 
 }  // namespace inkbench

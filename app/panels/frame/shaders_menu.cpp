@@ -9,21 +9,21 @@
 
 namespace inkbench {
 
-void shaders_menu(Workbench& bench) {
+void shaders_menu(Problems& problems, UiMap& ui_map) {
   const bool open = ImGui::BeginMenu("Shaders");
-  bench.ui_map.mark_item("menu:Shaders");
+  ui_map.mark_item("menu:Shaders");
   if (!open) return;
   const fs::path folder = project_root() / "shaders";
   faint_text(folder.string());
   faint_text("A shader that is saved is in use at once; errors are in the log.");
   ImGui::Separator();
-  if (ImGui::MenuItem("Open the folder")) attempt(bench, [&] { open_outside(folder); });
-  bench.ui_map.mark_item("menu:Open the folder");
+  if (ImGui::MenuItem("Open the folder")) attempt(problems, [&] { open_outside(folder); });
+  ui_map.mark_item("menu:Open the folder");
   if (ImGui::MenuItem("Copy its path")) {
     ImGui::SetClipboardText(folder.c_str());
-    bench.tell(Severity::note, "copied " + folder.string());
+    problems.tell(Severity::note, "copied " + folder.string());
   }
-  bench.ui_map.mark_item("menu:Copy its path");
+  ui_map.mark_item("menu:Copy its path");
   ImGui::EndMenu();
 }
 

@@ -1,11 +1,12 @@
 // Where the shaders are: the window takes them in whenever an editor saves one.
 #pragma once
 
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
+#include "app/workbench/problems.h"
 
 namespace inkbench {
 
 /// A submenu for an open menu.
-void shaders_menu(Workbench& bench);
+void shaders_menu(Problems& problems, UiMap& ui_map);
 
 }  // namespace inkbench

@@ -20,41 +20,15 @@ bool pressed(int key) {
   return ImGui::IsKeyPressed(key, false);
 }
 
-ShortcutRequests with_control(Workbench& bench) {
-  ShortcutRequests requests;
-  requests.search = letter_pressed('f');
-  if (letter_pressed('q')) bench.requests.close = true;
-  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) change_text_size(bench, 0.1F);
-  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) change_text_size(bench, -0.1F);
-  return requests;
-}
-
-void fill_by_number(Workbench& bench) {
+void fill_by_number(ViewState& view) {
   for (const BufferName buffer : all_buffers()) {
     const int digit = buffer.info().number_key;
     if (digit < 0) continue;
     if (!pressed(GLFW_KEY_0 + digit) && !pressed(GLFW_KEY_KP_0 + digit)) continue;
-    const bool again = bench.view.filled == buffer && !bench.view.comparison.active;
-    bench.view.comparison.active = false;
-    bench.view.selected = buffer;
-    bench.view.filled = again ? std::nullopt : std::optional(buffer);
-  }
-}
-
-/// One step back towards the sheet of all buffers.
-void step_back(Workbench& bench) {
-  if (bench.layout.show_welcome) {
-    bench.layout.show_welcome = false;
-  } else if (bench.problems().contains(ProblemKind::input)) {
-    bench.dismiss(ProblemKind::input);
-  } else if (bench.studies.page_open) {
-    bench.studies.page_open = false;
-  } else if (bench.view.marked) {
-    bench.view.marked.reset();
-  } else if (bench.view.comparison.active) {
-    bench.view.comparison.active = false;
-  } else {
-    bench.view.filled.reset();
+    const bool again = view.filled == buffer && !view.comparison.active;
+    view.comparison.active = false;
+    view.selected = buffer;
+    view.filled = again ? std::nullopt : std::optional(buffer);
   }
 }
 
@@ -64,57 +38,83 @@ void toggle_panels(WindowLayout& layout) {
 }
 
 /// The arrow keys, again and again while they are held; ten pixels with Shift.
-void move_mark_by_keys(Workbench& bench) {
+void move_mark_by_keys(const Document& document, ViewState& view) {
   const int step = ImGui::GetIO().KeyShift ? 10 : 1;
   const auto held = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
   const int dx = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
   const int dy = held(GLFW_KEY_DOWN) - held(GLFW_KEY_UP);
-  if (dx != 0 || dy != 0) move_mark(bench, dx * step, dy * step);
-}
-
-void plain_letters(Workbench& bench) {
-  if (letter_pressed('f')) bench.view.fit();
-  if (letter_pressed('z')) bench.view.wanted_magnification = 1.0;
-  if (letter_pressed('c')) toggle_comparison(bench);
-  if (letter_pressed('p')) pin_state(bench);
-  if (letter_pressed('l')) next_overlay(bench);
-  if (letter_pressed('j')) {
-    const bool on = bench.layout.show_inspector && bench.layout.side_page == SidePage::judge;
-    bench.layout.side_page = on ? SidePage::inspector : SidePage::judge;
-    bench.layout.show_inspector = true;
-  }
-  if (letter_pressed('r')) bench.view.edits_ramps = !bench.view.edits_ramps;
-  if (letter_pressed('v')) bench.view.tool = MouseTool::view;
-  if (letter_pressed('o')) bench.view.tool = MouseTool::camera;
+  if (dx != 0 || dy != 0) move_mark(document, view, dx * step, dy * step);
 }
 
 }  // namespace
 
-void change_text_size(Workbench& bench, float change) {
-  bench.layout.ui_scale = std::clamp(std::round((text_scale() + change) * 10.0F) / 10.0F, 0.5F, 4.0F);
+void change_text_size(WindowLayout& layout, float change) {
+  layout.ui_scale = std::clamp(std::round((text_scale() + change) * 10.0F) / 10.0F, 0.5F, 4.0F);
 }
 
-ShortcutRequests handle_shortcuts(Workbench& bench) {
+ShortcutRequests Shortcuts::with_control() {
+  ShortcutRequests requests;
+  requests.search = letter_pressed('f');
+  if (letter_pressed('q')) requests_.close = true;
+  if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) change_text_size(layout_, 0.1F);
+  if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) change_text_size(layout_, -0.1F);
+  return requests;
+}
+
+/// One step back towards the sheet of all buffers.
+void Shortcuts::step_back() {
+  if (layout_.show_welcome) {
+    layout_.show_welcome = false;
+  } else if (problems_.all().contains(ProblemKind::input)) {
+    problems_.dismiss(ProblemKind::input);
+  } else if (studies_.page_open) {
+    studies_.page_open = false;
+  } else if (view_.marked) {
+    view_.marked.reset();
+  } else if (view_.comparison.active) {
+    view_.comparison.active = false;
+  } else {
+    view_.filled.reset();
+  }
+}
+
+void Shortcuts::plain_letters() {
+  if (letter_pressed('f')) view_.fit();
+  if (letter_pressed('z')) view_.wanted_magnification = 1.0;
+  if (letter_pressed('c')) toggle_comparison(viewer_.pictures, view_);
+  if (letter_pressed('p')) pin_state(viewer_, view_);
+  if (letter_pressed('l')) next_overlay(layout_);
+  if (letter_pressed('j')) {
+    const bool on = layout_.show_inspector && layout_.side_page == SidePage::judge;
+    layout_.side_page = on ? SidePage::inspector : SidePage::judge;
+    layout_.show_inspector = true;
+  }
+  if (letter_pressed('r')) view_.edits_ramps = !view_.edits_ramps;
+  if (letter_pressed('v')) view_.tool = MouseTool::view;
+  if (letter_pressed('o')) view_.tool = MouseTool::camera;
+}
+
+ShortcutRequests Shortcuts::handle() {
   const ImGuiIO& io = ImGui::GetIO();
-  if (pressed(GLFW_KEY_PAUSE)) ++bench.marks;
-  if (handle_keep_shortcuts(bench)) return {};
-  if (pressed(GLFW_KEY_F1)) bench.layout.show_welcome = !bench.layout.show_welcome;
-  if (pressed(GLFW_KEY_F3)) bench.studies.page_open = !bench.studies.page_open;
-  if (pressed(GLFW_KEY_F11)) bench.requests.toggle_full_screen = true;
-  if (pressed(GLFW_KEY_F12)) bench.requests.screenshot = true;
-  if (io.KeyCtrl && !io.KeyAlt) return with_control(bench);
+  if (pressed(GLFW_KEY_PAUSE)) ++ui_map_.pauses;
+  if (keep_.handle()) return {};
+  if (pressed(GLFW_KEY_F1)) layout_.show_welcome = !layout_.show_welcome;
+  if (pressed(GLFW_KEY_F3)) studies_.page_open = !studies_.page_open;
+  if (pressed(GLFW_KEY_F11)) requests_.toggle_full_screen = true;
+  if (pressed(GLFW_KEY_F12)) requests_.screenshot = true;
+  if (io.KeyCtrl && !io.KeyAlt) return with_control();
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (io.WantTextInput || popup || io.KeyAlt) return {};
-  if (pressed(GLFW_KEY_ESCAPE)) step_back(bench);
-  if (pressed(GLFW_KEY_TAB)) toggle_panels(bench.layout);
-  Comparison& comparison = bench.view.comparison;
+  if (pressed(GLFW_KEY_ESCAPE)) step_back();
+  if (pressed(GLFW_KEY_TAB)) toggle_panels(layout_);
+  Comparison& comparison = view_.comparison;
   if (pressed(GLFW_KEY_SPACE) && comparison.active) {
     if (comparison.flips) comparison.shows_b = !comparison.shows_b;
     comparison.flips = true;
   }
-  fill_by_number(bench);
-  move_mark_by_keys(bench);
-  plain_letters(bench);
+  fill_by_number(view_);
+  move_mark_by_keys(document_, view_);
+  plain_letters();
   return {};
 }
 

@@ -1,7 +1,15 @@
 // What keys do, wherever the mouse is.
 #pragma once
 
-#include "app/window/workbench.h"
+#include "app/panels/frame/keep_shortcuts.h"
+#include "app/window/studies.h"
+#include "app/window/ui_map.h"
+#include "app/window/view_state.h"
+#include "app/window/viewer.h"
+#include "app/window/window_requests.h"
+#include "app/workbench/document.h"
+#include "app/workbench/problems.h"
+#include "app/workbench/window_layout.h"
 
 namespace inkbench {
 
@@ -10,10 +18,41 @@ struct ShortcutRequests {
   bool search = false;
 };
 
-/// Once a frame; keys that a text field wants are its own.
-ShortcutRequests handle_shortcuts(Workbench& bench);
+class Shortcuts {
+ public:
+  /// All must outlive it. `keep` has its turn first.
+  Shortcuts(KeepShortcuts& keep, const Document& document, Viewer& viewer, WindowLayout& layout,
+            ViewState& view, Studies& studies, Problems& problems, WindowRequests& requests, UiMap& ui_map)
+      : keep_(keep),
+        document_(document),
+        viewer_(viewer),
+        layout_(layout),
+        view_(view),
+        studies_(studies),
+        problems_(problems),
+        requests_(requests),
+        ui_map_(ui_map) {}
+
+  /// Once a frame; keys that a text field wants are its own.
+  ShortcutRequests handle();
+
+ private:
+  ShortcutRequests with_control();
+  void step_back();
+  void plain_letters();
+
+  KeepShortcuts& keep_;
+  const Document& document_;
+  Viewer& viewer_;
+  WindowLayout& layout_;
+  ViewState& view_;
+  Studies& studies_;
+  Problems& problems_;
+  WindowRequests& requests_;
+  UiMap& ui_map_;
+};
 
 /// Larger or smaller by so many times the usual size.
-void change_text_size(Workbench& bench, float change);
+void change_text_size(WindowLayout& layout, float change);
 
 }  // namespace inkbench

@@ -8,16 +8,16 @@
 
 namespace inkbench {
 
-void SidePanel::draw(Workbench& bench) {
+void SidePanel::draw() {
   constexpr std::array kNames{"Inspector", "Judge"};
-  auto page = static_cast<size_t>(bench.layout.side_page);
-  heading_tabs(bench.ui_map, kNames, page);
-  bench.layout.side_page = static_cast<SidePage>(page);
+  auto page = static_cast<size_t>(layout_.side_page);
+  heading_tabs(ui_map_, kNames, page);
+  layout_.side_page = static_cast<SidePage>(page);
   ImGui::BeginChild("side page", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-  if (bench.layout.side_page == SidePage::judge) {
-    judge_.draw(bench);
+  if (layout_.side_page == SidePage::judge) {
+    judge_.draw();
   } else {
-    inspector_.draw(bench);
+    inspector_.draw();
   }
   ImGui::EndChild();
 }

@@ -3,18 +3,25 @@
 
 #include "app/panels/judge/judge_view.h"
 #include "app/panels/pictures/inspector.h"
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
+#include "app/workbench/window_layout.h"
 
 namespace inkbench {
 
 class SidePanel {
  public:
+  /// All must outlive it.
+  SidePanel(WindowLayout& layout, UiMap& ui_map, InspectorPanel& inspector, JudgeView& judge)
+      : layout_(layout), ui_map_(ui_map), inspector_(inspector), judge_(judge) {}
+
   /// Draws into the current ImGui window.
-  void draw(Workbench& bench);
+  void draw();
 
  private:
-  InspectorPanel inspector_;
-  JudgeView judge_;
+  WindowLayout& layout_;
+  UiMap& ui_map_;
+  InspectorPanel& inspector_;
+  JudgeView& judge_;
 };
 
 }  // namespace inkbench

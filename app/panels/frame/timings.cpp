@@ -95,21 +95,20 @@ void head(bool narrow) {
 
 }  // namespace
 
-void draw_timings(Workbench& bench) {
-  const std::map<std::string, StageCount> counts = bench.pictures.pipeline().counts();
-  std::vector<std::pair<std::string, PassTime>> passes;
-  for (const std::string& name : bench.pictures.pipeline().pass_names())
-    passes.emplace_back(name, bench.timer.time_of(name));
-  for (const char* name : {"tiles", "window"}) passes.emplace_back(name, bench.window_timer.time_of(name));
+void draw_timings(const Pipeline& pipeline, const PassTimer& passes, const PassTimer& window) {
+  const std::map<std::string, StageCount> counts = pipeline.counts();
+  std::vector<std::pair<std::string, PassTime>> rows;
+  for (const std::string& name : pipeline.pass_names()) rows.emplace_back(name, passes.time_of(name));
+  for (const char* name : {"tiles", "window"}) rows.emplace_back(name, window.time_of(name));
   double longest = 0.0;
-  for (const auto& [name, time] : passes) longest = std::max(longest, time.last_ms);
+  for (const auto& [name, time] : rows) longest = std::max(longest, time.last_ms);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(scaled(5), scaled(1)));
   const bool narrow = ImGui::GetContentRegionAvail().x < scaled(430);
   const bool open = ImGui::BeginTable("timings", 7, ImGuiTableFlags_ScrollY | ImGuiTableFlags_Hideable);
   ImGui::PopStyleVar();
   if (!open) return;
   head(narrow);
-  for (const auto& [name, time] : passes) {
+  for (const auto& [name, time] : rows) {
     const auto count = counts.find(name);
     pass_row(name, time, count == counts.end() ? nullptr : &count->second, longest);
   }

@@ -1,10 +1,12 @@
 // The panel of timings: each pass, its GPU time, and whether it ran or was reused.
 #pragma once
 
-#include "app/window/workbench.h"
+#include "app/window/pass_timer.h"
+#include "pipeline/pipeline.h"
 
 namespace inkbench {
 
-void draw_timings(Workbench& bench);
+/// `passes`: of the pipeline; `window`: of the tiles and the window itself.
+void draw_timings(const Pipeline& pipeline, const PassTimer& passes, const PassTimer& window);
 
 }  // namespace inkbench

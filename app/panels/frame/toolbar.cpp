@@ -4,33 +4,35 @@
 
 #include "app/panels/pictures/comparison.h"
 #include "app/panels/widgets/widgets.h"
+#include "app/window/listed_buffers.h"
+#include "app/window/pictures.h"
 
 namespace inkbench {
 namespace {
 
-void buffers_menu(Workbench& bench) {
+void buffers_menu(WindowLayout& layout, UiMap& ui_map) {
   if (ImGui::Button("Buffers")) ImGui::OpenPopup("buffers");
-  bench.ui_map.mark_item("buffers");
+  ui_map.mark_item("buffers");
   if (!ImGui::BeginPopup("buffers")) return;
   for (const BufferName buffer : all_buffers()) {
-    bool listed = bench.is_listed(buffer);
-    if (ImGui::Checkbox(std::string(name_of(buffer)).c_str(), &listed)) bench.set_listed(buffer, listed);
-    bench.ui_map.mark_item("list:" + std::string(name_of(buffer)));
+    bool listed = is_listed(layout, buffer);
+    if (ImGui::Checkbox(std::string(name_of(buffer)).c_str(), &listed)) set_listed(layout, buffer, listed);
+    ui_map.mark_item("list:" + std::string(name_of(buffer)));
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("All")) bench.layout.hidden_buffers.clear();
+  if (ImGui::MenuItem("All")) layout.hidden_buffers.clear();
   ImGui::EndPopup();
 }
 
-void picture_combo(Workbench& bench, const char* id, ComparedPicture& which) {
-  const bool pinned = bench.pictures.pinned_settings().has_value();
+void picture_combo(Pictures& pictures, UiMap& ui_map, const char* id, ComparedPicture& which) {
+  const bool pinned = pictures.pinned_settings().has_value();
   const auto text = [&](const ComparedPicture& one) {
     return std::string(name_of(one.buffer)) + (one.pinned ? ", pinned" : "");
   };
   const std::string preview = text(which);
   ImGui::SetNextItemWidth(button_width(preview.c_str()) + ImGui::GetFrameHeight());
   const bool open = ImGui::BeginCombo(id, preview.c_str(), ImGuiComboFlags_HeightLargest);
-  bench.ui_map.mark_item(id);
+  ui_map.mark_item(id);
   if (!open) return;
   for (int side = 0; side < (pinned ? 2 : 1); ++side) {
     if (side > 0) ImGui::Separator();
@@ -42,36 +44,35 @@ void picture_combo(Workbench& bench, const char* id, ComparedPicture& which) {
   ImGui::EndCombo();
 }
 
-void comparison_tools(Workbench& bench) {
-  Comparison& comparison = bench.view.comparison;
+void comparison_tools(Pictures& pictures, ViewState& view, UiMap& ui_map) {
+  Comparison& comparison = view.comparison;
   if (toggle_button("Compare", comparison.active,
                     "Two buffers, or now and the pinned state, in one place (C)."))
-    toggle_comparison(bench);
-  bench.ui_map.mark_item("compare");
+    toggle_comparison(pictures, view);
+  ui_map.mark_item("compare");
   if (!comparison.active) return;
   ImGui::SameLine();
-  picture_combo(bench, "##A", comparison.a);
+  picture_combo(pictures, ui_map, "##A", comparison.a);
   ImGui::SameLine();
-  picture_combo(bench, "##B", comparison.b);
+  picture_combo(pictures, ui_map, "##B", comparison.b);
   ImGui::SameLine();
   if (toggle_button("Flip", comparison.flips, "One at a time; Space flips."))
     comparison.flips = !comparison.flips;
-  bench.ui_map.mark_item("flip");
+  ui_map.mark_item("flip");
 }
 
-void pin_tool(Workbench& bench) {
-  const bool pinned = bench.pictures.pinned_settings().has_value();
+void pin_tool(Viewer& viewer, ViewState& view, UiMap& ui_map) {
+  const bool pinned = viewer.pictures.pinned_settings().has_value();
   if (toggle_button("Pin", pinned,
                     pinned ? "Forget the pinned state." : "Keep this state to compare with (P)."))
-    pinned ? bench.pictures.unpin() : pin_state(bench);
-  bench.ui_map.mark_item("pin");
-  Comparison& comparison = bench.view.comparison;
-  if (bench.pictures.pinned_settings()) return;
+    pinned ? viewer.pictures.unpin() : pin_state(viewer, view);
+  ui_map.mark_item("pin");
+  Comparison& comparison = view.comparison;
+  if (viewer.pictures.pinned_settings()) return;
   comparison.a.pinned = comparison.b.pinned = false;
 }
 
-void mouse_tools(Workbench& bench) {
-  ViewState& view = bench.view;
+void mouse_tools(ViewState& view, UiMap& ui_map) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float width = button_width("Wireframe") + spacing + button_width("Pan") + button_width("Orbit") +
                       button_width("Fit") + button_width("1:1") + 3 * spacing + 2;
@@ -84,37 +85,37 @@ void mouse_tools(Workbench& bench) {
   }
   if (toggle_button("Wireframe", view.wireframe, "The triangles of the meshes over the pictures (W)."))
     view.wireframe = !view.wireframe;
-  bench.ui_map.mark_item("wireframe");
+  ui_map.mark_item("wireframe");
   ImGui::SameLine();
   if (toggle_button("Pan", view.tool == MouseTool::view, "Dragging moves the pictures; the wheel zooms (V)."))
     view.tool = MouseTool::view;
-  bench.ui_map.mark_item("tool:view");
+  ui_map.mark_item("tool:view");
   ImGui::SameLine(0, 2);
   if (toggle_button(
           "Orbit", view.tool == MouseTool::camera,
           "Dragging turns the camera about its target, with Shift along the picture; the wheel moves it "
           "nearer (O, or hold Alt)."))
     view.tool = MouseTool::camera;
-  bench.ui_map.mark_item("tool:camera");
+  ui_map.mark_item("tool:camera");
   ImGui::SameLine();
   if (ImGui::Button("Fit")) view.fit();
   help_for_item("Fit the pictures into their tiles (F).");
-  bench.ui_map.mark_item("fit view");
+  ui_map.mark_item("fit view");
   ImGui::SameLine();
   if (ImGui::Button("1:1")) view.wanted_magnification = 1.0;
   help_for_item("One picture pixel a window pixel (Z).");
-  bench.ui_map.mark_item("one to one");
+  ui_map.mark_item("one to one");
 }
 
 }  // namespace
 
-void draw_toolbar(Workbench& bench) {
-  buffers_menu(bench);
+void draw_toolbar(Viewer& viewer, WindowLayout& layout, ViewState& view, UiMap& ui_map) {
+  buffers_menu(layout, ui_map);
   ImGui::SameLine();
-  pin_tool(bench);
+  pin_tool(viewer, view, ui_map);
   ImGui::SameLine();
-  comparison_tools(bench);
-  mouse_tools(bench);
+  comparison_tools(viewer.pictures, view, ui_map);
+  mouse_tools(view, ui_map);
 }
 
 }  // namespace inkbench

@@ -10,6 +10,7 @@
 #include "app/panels/pictures/overlay_legend.h"
 #include "app/panels/widgets/widgets.h"
 #include "app/window/gui.h"
+#include "app/window/pictures.h"
 #include "app/window/theme.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
@@ -145,8 +146,8 @@ void draw_recall(const Judgement& now, const Judgement* then) {
 
 /// Of a level of the mesh: which part of a loss is the geometry's. While the full mesh's lines are being
 /// found the rows stay.
-void draw_ladder(const Workbench& bench, const Judgement& now, const Judgement* then) {
-  if (!bench.drawn() || bench.drawn()->settings().mesh == MeshParams{}) return;
+void draw_ladder(const Viewer& viewer, const Judgement& now, const Judgement* then) {
+  if (!viewer.drawn() || viewer.drawn()->settings().mesh == MeshParams{}) return;
   heading("Against the full mesh");
   for (const LadderMeasureInfo& info : ladder_measure_list()) {
     Row row{info.key, info.help};
@@ -166,26 +167,26 @@ void draw_others(const Judgement& now, const Judgement* then) {
 }
 
 /// Whether the pinned state shows the same models, at any level, from the same camera.
-bool is_same_view(const Workbench& bench) {
+bool is_same_view(const Document& document, const Pictures& pictures) {
   const auto view_text = [](const Settings& settings) {
     std::string text = group_text(settings.camera) + group_text(settings.image);
     for (const ModelParams& model : settings.models) text += group_text(model);
     return text;
   };
-  const std::optional<Settings>& pinned = bench.pictures.pinned_settings();
-  return pinned && view_text(*pinned) == view_text(bench.settings());
+  const std::optional<Settings>& pinned = pictures.pinned_settings();
+  return pinned && view_text(*pinned) == view_text(document.settings());
 }
 
 }  // namespace
 
-void JudgeView::draw_state(Workbench& bench) {
-  pin_compares_ = bench.judge.pinned() != nullptr && is_same_view(bench);
-  const JudgeDesk& judge = bench.judge;
+void JudgeView::draw_state() {
+  pin_compares_ = viewer_.judge.pinned() != nullptr && is_same_view(document_, viewer_.pictures);
+  const JudgeDesk& judge = viewer_.judge;
   const double time = ImGui::GetTime();
   if (!judge.is_behind()) behind_since_ = -1.0;
   if (judge.is_behind() && behind_since_ < 0.0) behind_since_ = time;
   const bool waits = behind_since_ >= 0.0 && (time - behind_since_ > kPatience || judge.now() == nullptr);
-  if (judge.is_behind() && !waits) bench.wake_in(kPatience);
+  if (judge.is_behind() && !waits) requests_.wake_in(kPatience);
   std::string text;
   if (judge.now() != nullptr)
     text = fmt::format("{}{:.0f} ms", judge.pinned() == nullptr ? "measured in " : "",
@@ -199,11 +200,11 @@ void JudgeView::draw_state(Workbench& bench) {
   ImGui::Dummy({0, scaled(1)});
 }
 
-void JudgeView::draw(Workbench& bench) {
-  overlay_choice(bench);
-  draw_state(bench);
-  const Judgement* now = bench.judge.now();
-  const Judgement* then = bench.judge.pinned();
+void JudgeView::draw() {
+  overlay_choice(layout_, ui_map_);
+  draw_state();
+  const Judgement* now = viewer_.judge.now();
+  const Judgement* then = viewer_.judge.pinned();
   if (now == nullptr) return;
   if (!now->error.empty()) {
     wrapped_text(now->error, theme().error);
@@ -217,7 +218,7 @@ void JudgeView::draw(Workbench& bench) {
   const bool compares = pin_compares_ && then != nullptr && then->error.empty() && !then->measures.empty;
   if (!compares) then = nullptr;
   draw_shares(*now, then);
-  draw_ladder(bench, *now, then);
+  draw_ladder(viewer_, *now, then);
   draw_recall(*now, then);
   draw_others(*now, then);
 }

@@ -1,10 +1,10 @@
 #include "app/panels/parameters/light_ball.h"
 
 #include <imgui.h>
-
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+
+#include <cmath>
 
 #include "app/panels/widgets/widgets.h"
 #include "app/window/theme.h"
@@ -18,8 +18,8 @@ constexpr int kRings = 10, kSpokes = 40;
 constexpr float kTurn = 6.2831853F;
 
 /// The light's direction as the camera sees it: x right, y up, z towards the eye.
-glm::vec3 in_view(const Workbench& bench, const glm::vec3& direction) {
-  const glm::vec3 turned = glm::mat3(view_matrix(bench.settings().camera)) * direction;
+glm::vec3 in_view(const Document& document, const glm::vec3& direction) {
+  const glm::vec3 turned = glm::mat3(view_matrix(document.settings().camera)) * direction;
   const float length = glm::length(turned);
   return length > 1e-6F ? turned / length : glm::vec3(0, 0, 1);
 }
@@ -55,18 +55,18 @@ void draw_ball(ImDrawList& list, ImVec2 centre, float radius, const glm::vec3& l
   }
 }
 
-void drag(Workbench& bench, const RowContext& row, ImVec2 low, float size) {
+void drag(Document& document, const RowContext& row, ImVec2 low, float size) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsItemActivated()) bench.begin_edit();
+  if (ImGui::IsItemActivated()) document.begin_edit();
   const bool moved = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
   if (ImGui::IsItemActive() && moved) {
     const glm::vec2 now(io.MousePos.x - low.x, io.MousePos.y - low.y);
     const glm::vec2 before = now - glm::vec2(io.MouseDelta.x, io.MouseDelta.y);
-    bench.change(row.key, drag_light(std::get<glm::vec3>(row.value), bench.settings().camera, before, now,
-                                     {size, size}));
+    document.change(row.key, drag_light(std::get<glm::vec3>(row.value), document.settings().camera, before,
+                                        now, {size, size}));
   }
-  if (ImGui::IsItemDeactivated()) bench.end_edit();
-  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) bench.reset(row.key);
+  if (ImGui::IsItemDeactivated()) document.end_edit();
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) document.reset(row.key);
 }
 
 }  // namespace
@@ -75,18 +75,18 @@ bool is_light_direction(const RowContext& row) {
   return row.key.starts_with("light.") && row.field->name == "direction";
 }
 
-void light_ball(Workbench& bench, const RowContext& row) {
+void light_ball(Document& document, UiMap& ui_map, const RowContext& row) {
   const float size = scaled(kBallSize);
   const float room = ImGui::GetContentRegionAvail().x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + row.name_width + scaled(14));
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("ball", {std::min(size, room), size},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
-  bench.ui_map.mark_item("ball:" + row.key);
-  drag(bench, row, low, size);
+  ui_map.mark_item("ball:" + row.key);
+  drag(document, row, low, size);
   const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
   help_for_item("Drag to turn the light about the scene, as the camera sees it. Right click resets.");
-  const glm::vec3 light = in_view(bench, std::get<glm::vec3>(row.value));
+  const glm::vec3 light = in_view(document, std::get<glm::vec3>(row.value));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 centre{low.x + size / 2, low.y + size / 2};
   const float radius = size / 2 - scaled(2);

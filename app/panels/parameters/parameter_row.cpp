@@ -16,27 +16,29 @@
 namespace inkbench {
 namespace {
 
-void apply_bar(Workbench& bench, const std::string& key, const BarResult& bar, bool whole) {
-  if (bar.pressed) bench.begin_edit();
+void apply_bar(Document& document, const std::string& key, const BarResult& bar, bool whole) {
+  if (bar.pressed) document.begin_edit();
   if (bar.dragged) {
-    bench.change(key, whole ? Value(static_cast<int>(bar.value)) : Value(static_cast<float>(bar.value)));
+    document.change(key, whole ? Value(static_cast<int>(bar.value)) : Value(static_cast<float>(bar.value)));
   }
-  if (bar.released) bench.end_edit();
-  if (!bar.typed.empty()) bench.change_text(key, bar.typed);
+  if (bar.released) document.end_edit();
+  if (!bar.typed.empty()) document.change_text(key, bar.typed);
 }
 
-void number_editor(Workbench& bench, const RowContext& row, float width) {
+void number_editor(Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
+                   const RowContext& row, float width) {
   const bool whole = row.field->type == FieldType::integer;
   const double value = whole ? std::get<int>(row.value) : std::get<float>(row.value);
   const BarResult bar = value_bar("value", value, *row.field, width);
-  bench.ui_map.mark_item("bar:" + row.key);
-  sweep_key(bench, row.key);
+  ui_map.mark_item("bar:" + row.key);
+  sweep_key(document, studies, problems, row.key);
   help_for_parameter(row);
-  apply_bar(bench, row.key, bar, whole);
-  if (bar.reset) bench.reset(row.key);
+  apply_bar(document, row.key, bar, whole);
+  if (bar.reset) document.reset(row.key);
 }
 
-void vector_editor(Workbench& bench, const RowContext& row, float width) {
+void vector_editor(Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
+                   const RowContext& row, float width) {
   const auto value = std::get<glm::vec3>(row.value);
   const float gap = scaled(3);
   const float each = (width - 2 * gap) / 3;
@@ -45,78 +47,78 @@ void vector_editor(Workbench& bench, const RowContext& row, float width) {
     const std::string key = row.key + "." + kNames[i];
     if (i > 0) ImGui::SameLine(0, gap);
     const BarResult bar = value_bar(kNames[i], value[i], *row.field, each);
-    bench.ui_map.mark_item("bar:" + key);
-    sweep_key(bench, key);
+    ui_map.mark_item("bar:" + key);
+    sweep_key(document, studies, problems, key);
     help_for_parameter(row);
-    apply_bar(bench, key, bar, false);
-    if (bar.reset) bench.reset(key);
+    apply_bar(document, key, bar, false);
+    if (bar.reset) document.reset(key);
   }
-  if (is_light_direction(row)) light_ball(bench, row);
+  if (is_light_direction(row)) light_ball(document, ui_map, row);
 }
 
-void colour_editor(Workbench& bench, const RowContext& row, float width) {
+void colour_editor(Document& document, UiMap& ui_map, const RowContext& row, float width) {
   auto colour = std::get<glm::vec3>(row.value);
   constexpr ImGuiColorEditFlags kPlain = ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip;
   if (ImGui::ColorButton("swatch", {colour.x, colour.y, colour.z, 1}, kPlain,
                          {width, ImGui::GetFrameHeight()}))
     ImGui::OpenPopup("picker");
-  bench.ui_map.mark_item("colour:" + row.key);
-  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) bench.reset(row.key);
+  ui_map.mark_item("colour:" + row.key);
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) document.reset(row.key);
   help_for_parameter(row);
   if (!ImGui::BeginPopup("picker")) return;
   ImGui::SetNextItemWidth(scaled(220));
   const bool changed = ImGui::ColorPicker3(
       "##picker", &colour.x,
       ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueBar);
-  if (ImGui::IsItemActivated()) bench.begin_edit();
-  if (changed) bench.change(row.key, colour);
-  if (ImGui::IsItemDeactivated()) bench.end_edit();
+  if (ImGui::IsItemActivated()) document.begin_edit();
+  if (changed) document.change(row.key, colour);
+  if (ImGui::IsItemDeactivated()) document.end_edit();
   ImGui::EndPopup();
 }
 
-void choice_editor(Workbench& bench, const RowContext& row, float width) {
+void choice_editor(Document& document, UiMap& ui_map, const RowContext& row, float width) {
   const auto& current = std::get<std::string>(row.value);
   ImGui::SetNextItemWidth(width);
   const bool open = ImGui::BeginCombo("##choice", current.c_str(), ImGuiComboFlags_HeightLarge);
-  bench.ui_map.mark_item("choice:" + row.key);
-  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) bench.reset(row.key);
+  ui_map.mark_item("choice:" + row.key);
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) document.reset(row.key);
   if (!open) {
     help_for_parameter(row);
     return;
   }
   for (const std::string_view choice : row.field->choices) {
     const std::string name(choice);
-    if (ImGui::Selectable(name.c_str(), name == current)) bench.change(row.key, name);
-    bench.ui_map.mark_item("choice:" + row.key + "=" + name);
+    if (ImGui::Selectable(name.c_str(), name == current)) document.change(row.key, name);
+    ui_map.mark_item("choice:" + row.key + "=" + name);
   }
   ImGui::EndCombo();
 }
 
-void boolean_editor(Workbench& bench, const RowContext& row) {
+void boolean_editor(Document& document, UiMap& ui_map, const RowContext& row) {
   bool on = std::get<bool>(row.value);
-  if (ImGui::Checkbox("##on", &on)) bench.change(row.key, on);
-  bench.ui_map.mark_item("check:" + row.key);
-  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) bench.reset(row.key);
+  if (ImGui::Checkbox("##on", &on)) document.change(row.key, on);
+  ui_map.mark_item("check:" + row.key);
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) document.reset(row.key);
   help_for_parameter(row);
 }
 
-void text_editor(Workbench& bench, const RowContext& row, float width) {
+void text_editor(Document& document, UiMap& ui_map, const RowContext& row, float width) {
   std::string text = std::get<std::string>(row.value);
   ImGui::SetNextItemWidth(width);
   ImGui::InputText("##text", &text, ImGuiInputTextFlags_AutoSelectAll);
-  bench.ui_map.mark_item("text:" + row.key);
-  if (ImGui::IsItemDeactivatedAfterEdit()) bench.change_text(row.key, to_text(Value(text)));
-  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) bench.reset(row.key);
+  ui_map.mark_item("text:" + row.key);
+  if (ImGui::IsItemDeactivatedAfterEdit()) document.change_text(row.key, to_text(Value(text)));
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) document.reset(row.key);
   if (!ImGui::IsItemActive()) help_for_parameter(row);
 }
 
 /// The ramp's colours from 0 to 1; an image's are not read here.
-void ramp_strip(Workbench& bench, const RowContext& row, float width) {
+void ramp_strip(ViewState& view, UiMap& ui_map, const RowContext& row, float width) {
   const auto& ramp = std::get<Ramp>(row.value);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
-  if (ImGui::InvisibleButton("ramp", {width, height})) bench.view.edits_ramps = true;
-  bench.ui_map.mark_item("strip:" + row.key);
+  if (ImGui::InvisibleButton("ramp", {width, height})) view.edits_ramps = true;
+  ui_map.mark_item("strip:" + row.key);
   const bool hot = ImGui::IsItemHovered();
   if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -135,70 +137,74 @@ void ramp_strip(Workbench& bench, const RowContext& row, float width) {
   help_for_parameter(row);
 }
 
-void editor(Workbench& bench, const RowContext& row, float width) {
+void editor(Document& document, ViewState& view, Studies& studies, Problems& problems, UiMap& ui_map,
+            const RowContext& row, float width) {
   switch (row.field->type) {
     case FieldType::boolean:
-      return boolean_editor(bench, row);
+      return boolean_editor(document, ui_map, row);
     case FieldType::integer:
     case FieldType::real:
-      return number_editor(bench, row, width);
+      return number_editor(document, studies, problems, ui_map, row, width);
     case FieldType::vector:
-      return vector_editor(bench, row, width);
+      return vector_editor(document, studies, problems, ui_map, row, width);
     case FieldType::colour:
-      return colour_editor(bench, row, width);
+      return colour_editor(document, ui_map, row, width);
     case FieldType::choice:
-      return choice_editor(bench, row, width);
+      return choice_editor(document, ui_map, row, width);
     case FieldType::text:
-      return text_editor(bench, row, width);
+      return text_editor(document, ui_map, row, width);
     case FieldType::ramp:
-      return ramp_strip(bench, row, width);
+      return ramp_strip(view, ui_map, row, width);
   }
 }
 
-void changed_mark(Workbench& bench, const RowContext& row) {
+void changed_mark(Document& document, UiMap& ui_map, const RowContext& row) {
   const float size = scaled(14);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   const bool changed = row.value != row.baseline;
-  if (ImGui::InvisibleButton("changed", {size, height}) && changed) bench.reset(row.key);
+  if (ImGui::InvisibleButton("changed", {size, height}) && changed) document.reset(row.key);
   if (!changed) return;
-  bench.ui_map.mark_item("changed:" + row.key);
+  ui_map.mark_item("changed:" + row.key);
   const float radius = ImGui::IsItemHovered() ? scaled(4) : scaled(3);
   ImGui::GetWindowDrawList()->AddCircleFilled({low.x + size / 2 - scaled(1), low.y + height / 2}, radius,
                                               theme().accent);
   help_for_item("Changed. Click to put back " + to_text(row.baseline));
 }
 
-void name_menu(Workbench& bench, const RowContext& row) {
+void name_menu(Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
+               const RowContext& row) {
   if (!ImGui::BeginPopupContextItem("name menu")) return;
   faint_text(row.key);
   ImGui::Separator();
   const std::string back = "Reset to " + to_text(row.baseline).substr(0, 40);
-  if (ImGui::MenuItem(back.c_str(), nullptr, false, row.value != row.baseline)) bench.reset(row.key);
+  if (ImGui::MenuItem(back.c_str(), nullptr, false, row.value != row.baseline)) document.reset(row.key);
   if (ImGui::MenuItem("Copy name")) ImGui::SetClipboardText(row.key.c_str());
   if (ImGui::MenuItem("Copy as --set"))
     ImGui::SetClipboardText(("--set '" + row.key + "=" + to_text(row.value) + "'").c_str());
-  sweep_menu_items(bench, row.key);
+  sweep_menu_items(document, studies, problems, ui_map, row.key);
   ImGui::EndPopup();
 }
 
 }  // namespace
 
-void parameter_row(Workbench& bench, const RowContext& row) {
+void parameter_row(Document& document, ViewState& view, Studies& studies, Problems& problems, UiMap& ui_map,
+                   const RowContext& row) {
   ImGui::PushID(row.key.c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, row.matters ? 1.0F : 0.4F);
-  changed_mark(bench, row);
+  changed_mark(document, ui_map, row);
   ImGui::SameLine(0, 0);
   const ImVec2 place = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("name", {row.name_width, ImGui::GetFrameHeight()});
-  bench.ui_map.mark_item("name:" + row.key);
+  ui_map.mark_item("name:" + row.key);
   help_for_parameter(row);
   draw_fitted_text(*ImGui::GetWindowDrawList(), {place.x, place.y + ImGui::GetStyle().FramePadding.y},
                    row.name_width - scaled(4), ImGui::GetColorU32(theme().text), row.field->name);
-  sweep_key(bench, row.key);
-  name_menu(bench, row);
+  sweep_key(document, studies, problems, row.key);
+  name_menu(document, studies, problems, ui_map, row);
   ImGui::SameLine(0, 0);
-  editor(bench, row, std::max(ImGui::GetContentRegionAvail().x, scaled(40)));
+  editor(document, view, studies, problems, ui_map, row,
+         std::max(ImGui::GetContentRegionAvail().x, scaled(40)));
   ImGui::PopStyleVar();
   ImGui::PopID();
 }

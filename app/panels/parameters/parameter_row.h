@@ -4,7 +4,11 @@
 
 #include <string>
 
-#include "app/window/workbench.h"
+#include "app/window/studies.h"
+#include "app/window/ui_map.h"
+#include "app/window/view_state.h"
+#include "app/workbench/document.h"
+#include "app/workbench/problems.h"
 
 namespace inkbench {
 
@@ -17,6 +21,7 @@ struct RowContext {
   float name_width = 0;  ///< Of the column of names.
 };
 
-void parameter_row(Workbench& bench, const RowContext& row);
+void parameter_row(Document& document, ViewState& view, Studies& studies, Problems& problems, UiMap& ui_map,
+                   const RowContext& row);
 
 }  // namespace inkbench

@@ -25,13 +25,13 @@ Heading heading_of(const ParamGroup& group) {
   return {parts[1], parts.back() == parts[1] ? parts[0] : parts.back()};
 }
 
-bool draw_heading(Workbench& bench, const ParamGroup& group, bool open, bool changed) {
+bool draw_heading(UiMap& ui_map, const ParamGroup& group, bool open, bool changed) {
   const Heading heading = heading_of(group);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = ImGui::GetFrameHeight() + scaled(2);
   const bool pressed = ImGui::InvisibleButton("heading", {width, height});
-  bench.ui_map.mark_item("group:" + group.prefix);
+  ui_map.mark_item("group:" + group.prefix);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 back = ImGui::IsItemHovered() ? theme().field_hot : theme().bar;
   list.AddRectFilled(low, {low.x + width, low.y + height}, back, ImGui::GetStyle().FrameRounding);
@@ -71,24 +71,24 @@ bool ParametersPanel::is_found(const std::string& key, const Field& field) const
                      [&](const std::string& word) { return text.find(word) != std::string::npos; });
 }
 
-void ParametersPanel::draw_search(Workbench& bench) {
+void ParametersPanel::draw_search() {
   const float button = button_width("Changed");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
   if (focus_search_) {
     ImGui::SetKeyboardFocusHere();
-    bench.requests.keyboard = true;
+    requests_.keyboard = true;
   }
   focus_search_ = false;
   ImGui::InputTextWithHint("##search", "Search (Ctrl+F)", &search_, ImGuiInputTextFlags_AutoSelectAll);
-  bench.ui_map.mark_item("search");
+  ui_map_.mark_item("search");
   if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) search_.clear();
   ImGui::SameLine();
   if (toggle_button("Changed", only_changed_, "Show only parameters that differ from the scene's file."))
     only_changed_ = !only_changed_;
-  bench.ui_map.mark_item("only changed");
+  ui_map_.mark_item("only changed");
 }
 
-bool ParametersPanel::draw_group(Workbench& bench, const ParamGroup& group, const ParamGroup* baseline) {
+bool ParametersPanel::draw_group(const ParamGroup& group, const ParamGroup* baseline) {
   const bool searching = !search_.empty() || only_changed_;
   std::vector<RowContext> rows;
   for (const Field& field : group.description->fields) {
@@ -100,15 +100,15 @@ bool ParametersPanel::draw_group(Workbench& bench, const ParamGroup& group, cons
   }
   if (rows.empty()) return false;
   ImGui::PushID(group.prefix.c_str());
-  const bool was_open = has_word(bench.layout.open_groups, group.prefix);
+  const bool was_open = has_word(layout_.open_groups, group.prefix);
   const bool open = searching || was_open;
-  if (draw_heading(bench, group, open, is_changed(group, baseline)) && !searching)
-    bench.layout.open_groups = with_word(bench.layout.open_groups, group.prefix, !was_open);
+  if (draw_heading(ui_map_, group, open, is_changed(group, baseline)) && !searching)
+    layout_.open_groups = with_word(layout_.open_groups, group.prefix, !was_open);
   if (open) {
     const float name_width = std::round(ImGui::GetContentRegionAvail().x * 0.40F);
     for (RowContext& row : rows) {
       row.name_width = name_width;
-      parameter_row(bench, row);
+      parameter_row(document_, view_, studies_, problems_, ui_map_, row);
     }
     ImGui::Dummy({0, scaled(2)});
   }
@@ -116,10 +116,10 @@ bool ParametersPanel::draw_group(Workbench& bench, const ParamGroup& group, cons
   return true;
 }
 
-void ParametersPanel::draw_nothing_found(Workbench& bench) {
+void ParametersPanel::draw_nothing_found() {
   const bool searches = !search_.empty();
   wrapped_text(searches ? "No parameter's name or help has \"" + search_ + "\"."
-                        : "Nothing differs from " + bench.scene_name() + ".",
+                        : "Nothing differs from " + document_.scene_name() + ".",
                theme().faint);
   if (ImGui::Button("Show all")) {
     search_.clear();
@@ -127,19 +127,19 @@ void ParametersPanel::draw_nothing_found(Workbench& bench) {
   }
 }
 
-void ParametersPanel::draw(Workbench& bench) {
-  draw_search(bench);
+void ParametersPanel::draw() {
+  draw_search();
   ImGui::BeginChild("list", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-  Settings settings = bench.settings();  // what is drawn is a copy, changes go through the workbench
-  Settings baseline = bench.baseline();
+  Settings settings = document_.settings();  // what is drawn is a copy, changes go through the document
+  Settings baseline = document_.baseline();
   const std::vector<ParamGroup> baseline_groups = list_groups(baseline);
   bool any = false;
   for (const ParamGroup& group : list_groups(settings)) {
     const auto same = std::find_if(baseline_groups.begin(), baseline_groups.end(),
                                    [&](const ParamGroup& other) { return other.prefix == group.prefix; });
-    any |= draw_group(bench, group, same == baseline_groups.end() ? nullptr : &*same);
+    any |= draw_group(group, same == baseline_groups.end() ? nullptr : &*same);
   }
-  if (!any) draw_nothing_found(bench);
+  if (!any) draw_nothing_found();
   ImGui::EndChild();
 }
 

@@ -57,14 +57,14 @@ std::optional<double> entered(const BarResult& bar) {
 }
 
 /// Two buttons of which one is on; returns the one that was pressed.
-std::optional<bool> step_or_smooth(Workbench& bench, const std::string& name, bool step_on, bool smooth_on,
+std::optional<bool> step_or_smooth(UiMap& ui_map, const std::string& name, bool step_on, bool smooth_on,
                                    std::string_view help) {
   std::optional<bool> pressed;
   if (toggle_button("Step", step_on, help)) pressed = true;
-  bench.ui_map.mark_item("step:" + name);
+  ui_map.mark_item("step:" + name);
   ImGui::SameLine(0, 2);
   if (toggle_button("Smooth", smooth_on, help)) pressed = false;
-  bench.ui_map.mark_item("smooth:" + name);
+  ui_map.mark_item("smooth:" + name);
   return pressed;
 }
 
@@ -76,23 +76,22 @@ void next_to(float place) {
 
 }  // namespace
 
-void RampEditor::file_buttons(Workbench& bench, const std::string& key, const Ramp& ramp) {
+void RampEditor::file_buttons(const std::string& key, const Ramp& ramp) {
   if (ImGui::Button("Load"))
     question_.ask("Load a ramp", "Stops (.toml) or an image, whose first row is the ramp.", "Load",
-                  [&bench, key](const std::string& path) { bench.change(key, load_ramp(path)); });
-  bench.ui_map.mark_item("load:" + key);
+                  [this, key](const std::string& path) { document_.change(key, load_ramp(path)); });
+  ui_map_.mark_item("load:" + key);
   ImGui::SameLine();
   if (ImGui::Button("Save"))
     question_.ask("Save the ramp", "As stops (.toml) or as an image (.png, .exr).", "Save",
-                  [&bench, ramp](const std::string& path) {
+                  [this, ramp](const std::string& path) {
                     save_ramp(path, ramp);
-                    bench.tell(Severity::note, "saved " + path);
+                    problems_.tell(Severity::note, "saved " + path);
                   });
-  bench.ui_map.mark_item("save:" + key);
+  ui_map_.mark_item("save:" + key);
 }
 
-void RampEditor::title_row(Workbench& bench, const std::string& key, const Field& field, const Ramp& ramp,
-                           float width) {
+void RampEditor::title_row(const std::string& key, const Field& field, const Ramp& ramp, float width) {
   Editor& editor = editors_[key];
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
@@ -110,64 +109,64 @@ void RampEditor::title_row(Workbench& bench, const std::string& key, const Field
     next_to(left + width - files - bands - label - modes - 2 * gap);
     const bool several = ramp.stops.size() > 1;
     if (const auto stepped =
-            step_or_smooth(bench, "all:" + key, several && is_stepped(ramp, true),
+            step_or_smooth(ui_map_, "all:" + key, several && is_stepped(ramp, true),
                            several && is_stepped(ramp, false), "All stops: hold the colour, or blend."))
-      bench.change(key, set_all_stepped(ramp, *stepped));
+      document_.change(key, set_all_stepped(ramp, *stepped));
     next_to(left + width - files - bands - label - gap);
     faint_text("Even bands");
     ImGui::SameLine(0, scaled(6));
     const BarResult bar = value_bar("bands", static_cast<double>(ramp.stops.size()), bands_field(), bands);
-    bench.ui_map.mark_item("bands:" + key);
+    ui_map_.mark_item("bands:" + key);
     help_for_item("Steps of equal width between the ramp's ends. Drag, or Ctrl+click to type.");
     if (bar.pressed) {
-      bench.begin_edit();
+      document_.begin_edit();
       editor.before_bands = ramp;
     }
     if (const auto count = entered(bar))
-      bench.change(key, even_bands(editor.before_bands.value_or(ramp),
-                                   static_cast<int>(std::clamp(*count, 1.0, 64.0))));
+      document_.change(key, even_bands(editor.before_bands.value_or(ramp),
+                                       static_cast<int>(std::clamp(*count, 1.0, 64.0))));
     if (bar.released) {
-      bench.end_edit();
+      document_.end_edit();
       editor.before_bands.reset();
     }
   }
   next_to(left + width - files);
-  file_buttons(bench, key, ramp);
+  file_buttons(key, ramp);
 }
 
 namespace {
 
 /// The colour and its picker; one drag in it is one step.
-void stop_colour(Workbench& bench, const std::string& key, const Ramp& ramp, size_t index, bool opens,
-                 bool& picking) {
+void stop_colour(Document& document, UiMap& ui_map, const std::string& key, const Ramp& ramp, size_t index,
+                 bool opens, bool& picking) {
   glm::vec3 colour = ramp.stops[index].colour;
   constexpr ImGuiColorEditFlags kPlain = ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip;
   const bool pressed = ImGui::ColorButton("colour", {colour.x, colour.y, colour.z, 1}, kPlain,
                                           {scaled(56), ImGui::GetFrameHeight()});
-  bench.ui_map.mark_item("stop colour:" + key);
+  ui_map.mark_item("stop colour:" + key);
   help_for_item("The stop's colour.");
   if (pressed || opens) ImGui::OpenPopup("picker");
   if (!ImGui::BeginPopup("picker")) {
-    if (std::exchange(picking, false)) bench.end_edit();  // closed in the middle of a drag
+    if (std::exchange(picking, false)) document.end_edit();  // closed in the middle of a drag
     return;
   }
   ImGui::SetNextItemWidth(scaled(220));
   const bool changed = ImGui::ColorPicker3(
       "##picker", &colour.x,
       ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueBar);
-  bench.ui_map.mark_item("stop picker:" + key);
+  ui_map.mark_item("stop picker:" + key);
   if (ImGui::IsItemActivated()) {
     picking = true;
-    bench.begin_edit();
+    document.begin_edit();
   }
-  if (changed) bench.change(key, set_stop_colour(ramp, index, colour));
-  if (ImGui::IsItemDeactivated() && std::exchange(picking, false)) bench.end_edit();
+  if (changed) document.change(key, set_stop_colour(ramp, index, colour));
+  if (ImGui::IsItemDeactivated() && std::exchange(picking, false)) document.end_edit();
   ImGui::EndPopup();
 }
 
 }  // namespace
 
-void RampEditor::stop_row(Workbench& bench, const std::string& key, const Ramp& ramp) {
+void RampEditor::stop_row(const std::string& key, const Ramp& ramp) {
   Editor& editor = editors_[key];
   const size_t index = std::min(editor.strip.selected, ramp.stops.size() - 1);
   const RampStop& stop = ramp.stops[index];
@@ -175,70 +174,69 @@ void RampEditor::stop_row(Workbench& bench, const std::string& key, const Ramp& 
   faint_text(fmt::format("Stop {} of {}", index + 1, ramp.stops.size()));
   ImGui::SameLine(0, scaled(10));
   const BarResult bar = value_bar("position", stop.position, position_field(), scaled(110));
-  bench.ui_map.mark_item("position:" + key);
+  ui_map_.mark_item("position:" + key);
   help_for_item("Where the stop is. Drag, or Ctrl+click to type.");
-  if (bar.pressed) bench.begin_edit();
+  if (bar.pressed) document_.begin_edit();
   if (const auto position = entered(bar)) {
     const TouchedRamp touched = move_stop(ramp, index, static_cast<float>(*position));
     editor.strip.selected = touched.index;
-    bench.change(key, touched.ramp);
+    document_.change(key, touched.ramp);
   }
-  if (bar.released) bench.end_edit();
+  if (bar.released) document_.end_edit();
   ImGui::SameLine();
-  if (const auto stepped = step_or_smooth(bench, key, stop.stepped, !stop.stepped,
+  if (const auto stepped = step_or_smooth(ui_map_, key, stop.stepped, !stop.stepped,
                                           "Up to the next stop: hold this colour, or blend."))
-    bench.change(key, set_stop_stepped(ramp, index, *stepped));
+    document_.change(key, set_stop_stepped(ramp, index, *stepped));
   if (ramp.stops.size() < 2) return;
   ImGui::SameLine();
   const bool no_field = !ImGui::GetIO().WantTextInput;
   const bool deletes = last_ == key && no_field && ImGui::IsKeyPressed(GLFW_KEY_DELETE, false);
   if (ImGui::Button("Remove") || deletes) {
-    bench.change(key, remove_stop(ramp, index));
+    document_.change(key, remove_stop(ramp, index));
     editor.strip.selected = index > 0 ? index - 1 : 0;
   }
-  bench.ui_map.mark_item("remove:" + key);
+  ui_map_.mark_item("remove:" + key);
   help_for_item("Remove the stop (Delete, or drag it away).");
 }
 
-void RampEditor::draw_ramp(Workbench& bench, const std::string& key, const Field& field, const Ramp& ramp,
-                           float width) {
+void RampEditor::draw_ramp(const std::string& key, const Field& field, const Ramp& ramp, float width) {
   Editor& editor = editors_[key];
   Colours& colours = editor.colours;
-  if (colours.ramp != ramp || colours.files_revision != bench.files_revision()) {
-    colours = {ramp, bench.files_revision(), {}, ""};
+  if (colours.ramp != ramp || colours.files_revision != disk_.revision()) {
+    colours = {ramp, disk_.revision(), {}, ""};
     try {
       colours.table = ramp_table(ramp);
     } catch (const Error& error) {
       colours.problem = error.what();
     }
   }
-  title_row(bench, key, field, ramp, width);
+  title_row(key, field, ramp, width);
   const StripResult strip =
-      ramp_strip_editor("ramp:" + key, ramp, colours.table, width, editor.strip, bench.ui_map);
+      ramp_strip_editor("ramp:" + key, ramp, colours.table, width, editor.strip, ui_map_);
   if (strip.pressed) {
-    bench.begin_edit();
+    document_.begin_edit();
     last_ = key;
   }
-  if (strip.changed && *strip.changed != ramp) bench.change(key, *strip.changed);
-  if (strip.released) bench.end_edit();
+  if (strip.changed && *strip.changed != ramp) document_.change(key, *strip.changed);
+  if (strip.released) document_.end_edit();
   if (!ramp.image.empty()) {
-    if (ImGui::Button("Turn into stops") && colours.problem.empty()) bench.change(key, with_stops(ramp));
-    bench.ui_map.mark_item("to stops:" + key);
+    if (ImGui::Button("Turn into stops") && colours.problem.empty()) document_.change(key, with_stops(ramp));
+    ui_map_.mark_item("to stops:" + key);
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     fitted_text(colours.problem.empty() ? ramp.image : colours.problem, ImGui::GetContentRegionAvail().x,
                 colours.problem.empty() ? theme().faint : theme().error);
   } else if (!ramp.stops.empty()) {
     const Ramp& now = strip.changed ? *strip.changed : ramp;
-    stop_colour(bench, key, now, std::min(editor.strip.selected, now.stops.size() - 1), strip.double_clicked,
-                editor.picking);
+    stop_colour(document_, ui_map_, key, now, std::min(editor.strip.selected, now.stops.size() - 1),
+                strip.double_clicked, editor.picking);
     ImGui::SameLine();
-    stop_row(bench, key, now);
+    stop_row(key, now);
   }
 }
 
-void RampEditor::draw(Workbench& bench) {
-  Settings settings = bench.settings();
+void RampEditor::draw() {
+  Settings settings = document_.settings();
   std::vector<Param> ramps;
   for (const Param& param : list_params(settings)) {
     if (param.field->type == FieldType::ramp) ramps.push_back(param);
@@ -251,12 +249,12 @@ void RampEditor::draw(Workbench& bench) {
     if (beside && i > 0) ImGui::SameLine(0, gap);
     ImGui::BeginGroup();
     ImGui::PushID(ramps[i].key.c_str());
-    draw_ramp(bench, ramps[i].key, *ramps[i].field, std::get<Ramp>(ramps[i].value()), width);
+    draw_ramp(ramps[i].key, *ramps[i].field, std::get<Ramp>(ramps[i].value()), width);
     ImGui::PopID();
     ImGui::EndGroup();
   }
   fitted_text("Click the strip to add a stop, drag to move, Delete removes.", room, theme().faint);
-  question_.draw(bench);
+  question_.draw();
 }
 
 }  // namespace inkbench

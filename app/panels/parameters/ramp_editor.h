@@ -8,14 +8,27 @@
 
 #include "app/panels/parameters/ramp_strip.h"
 #include "app/panels/widgets/file_question.h"
-#include "app/window/workbench.h"
+#include "app/window/disk_watch.h"
+#include "app/window/ui_map.h"
+#include "app/window/window_requests.h"
+#include "app/workbench/document.h"
+#include "app/workbench/problems.h"
 
 namespace inkbench {
 
 class RampEditor {
  public:
+  /// All must outlive it.
+  RampEditor(Document& document, const DiskWatch& disk, Problems& problems, WindowRequests& requests,
+             UiMap& ui_map)
+      : document_(document),
+        disk_(disk),
+        problems_(problems),
+        ui_map_(ui_map),
+        question_(problems, requests, ui_map) {}
+
   /// Draws into the current ImGui window.
-  void draw(Workbench& bench);
+  void draw();
 
  private:
   /// One ramp's colours, kept until it or a file on disk changes.
@@ -32,11 +45,15 @@ class RampEditor {
     bool picking = false;              ///< A drag in the colour picker.
   };
 
-  void draw_ramp(Workbench& bench, const std::string& key, const Field& field, const Ramp& ramp, float width);
-  void title_row(Workbench& bench, const std::string& key, const Field& field, const Ramp& ramp, float width);
-  void file_buttons(Workbench& bench, const std::string& key, const Ramp& ramp);
-  void stop_row(Workbench& bench, const std::string& key, const Ramp& ramp);
+  void draw_ramp(const std::string& key, const Field& field, const Ramp& ramp, float width);
+  void title_row(const std::string& key, const Field& field, const Ramp& ramp, float width);
+  void file_buttons(const std::string& key, const Ramp& ramp);
+  void stop_row(const std::string& key, const Ramp& ramp);
 
+  Document& document_;
+  const DiskWatch& disk_;
+  Problems& problems_;
+  UiMap& ui_map_;
   std::map<std::string, Editor> editors_;
   std::string last_;  ///< The ramp that the Delete key means.
   FileQuestion question_;

@@ -23,25 +23,26 @@ std::vector<std::string> sweepable(const Settings& settings, const std::string& 
 }
 
 /// The form that another axis can be added to.
-const StudyForm* open_form(Workbench& bench) {
-  const StudyForm* form = bench.studies.form();
+const StudyForm* open_form(const Studies& studies) {
+  const StudyForm* form = studies.form();
   const bool takes_more =
       form != nullptr && !form->own_text && !form->request.axes.empty() && form->request.axes.size() < 3;
   return takes_more ? form : nullptr;
 }
 
-void items(Workbench& bench, const std::string& key, const std::string& sweep, const std::string& add) {
+void items(const Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
+           const std::string& key, const std::string& sweep, const std::string& add) {
   if (ImGui::MenuItem(sweep.c_str(), "S"))
-    attempt(bench, [&] { bench.studies.sweep(bench.settings(), key); });
-  bench.ui_map.mark_item("sweep:" + key);
+    attempt(problems, [&] { studies.sweep(document.settings(), key); });
+  ui_map.mark_item("sweep:" + key);
   if (add.empty()) return;
   if (ImGui::MenuItem(add.c_str(), "Shift+S"))
-    attempt(bench, [&] { bench.studies.add_axis(bench.settings(), key); });
-  bench.ui_map.mark_item("grid:" + key);
+    attempt(problems, [&] { studies.add_axis(document.settings(), key); });
+  ui_map.mark_item("grid:" + key);
 }
 
-std::string add_label(Workbench& bench) {
-  const StudyForm* form = open_form(bench);
+std::string add_label(const Studies& studies) {
+  const StudyForm* form = open_form(studies);
   if (form == nullptr) return "";
   const std::string& first = form->request.axes.front().key;
   return "Grid of this and " + first.substr(first.find('.') + 1) + "...";
@@ -49,29 +50,31 @@ std::string add_label(Workbench& bench) {
 
 }  // namespace
 
-void sweep_menu_items(Workbench& bench, const std::string& key) {
-  const std::vector<std::string> keys = sweepable(bench.settings(), key);
+void sweep_menu_items(const Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
+                      const std::string& key) {
+  const std::vector<std::string> keys = sweepable(document.settings(), key);
   if (keys.empty()) return;
   ImGui::Separator();
-  const std::string add = add_label(bench);
+  const std::string add = add_label(studies);
   for (const std::string& one : keys) {
     const std::string part = one == key ? "" : " " + one.substr(key.size() + 1);
-    items(bench, one, "Sweep this" + part + "...", add.empty() ? "" : add + "##" + part);
+    items(document, studies, problems, ui_map, one, "Sweep this" + part + "...",
+          add.empty() ? "" : add + "##" + part);
   }
 }
 
-void sweep_key(Workbench& bench, const std::string& key) {
+void sweep_key(const Document& document, Studies& studies, Problems& problems, const std::string& key) {
   if (!ImGui::IsItemHovered() || !letter_pressed('s')) return;
   const ImGuiIO& io = ImGui::GetIO();
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || popup) return;
-  const std::vector<std::string> keys = sweepable(bench.settings(), key);
+  const std::vector<std::string> keys = sweepable(document.settings(), key);
   if (keys.empty()) return;
-  attempt(bench, [&] {
+  attempt(problems, [&] {
     if (io.KeyShift) {
-      bench.studies.add_axis(bench.settings(), keys.front());
+      studies.add_axis(document.settings(), keys.front());
     } else {
-      bench.studies.sweep(bench.settings(), keys.front());
+      studies.sweep(document.settings(), keys.front());
     }
   });
 }

@@ -1,7 +1,6 @@
 #include "app/panels/pictures/camera_mouse.h"
 
 #include <imgui.h>
-
 #include <glm/vec2.hpp>
 
 #include "app/workbench/camera_control.h"
@@ -11,10 +10,10 @@ namespace {
 
 constexpr double kDragStepsPerPixel = 0.05;
 
-void set_camera(Workbench& bench, const CameraParams& camera) {
-  Settings next = bench.settings();
+void set_camera(Document& document, const CameraParams& camera) {
+  Settings next = document.settings();
   next.camera = camera;
-  bench.replace(next);
+  document.replace(next);
 }
 
 /// The shown picture as the camera's functions see it: at its size in the window.
@@ -23,11 +22,11 @@ struct ShownImage {
   glm::vec2 mouse, before;
 };
 
-ShownImage shown_image(const Workbench& bench, const TileFrame& frame) {
+ShownImage shown_image(const ViewState& view, const TileFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const auto scale = static_cast<float>(magnification(bench.view, frame));
+  const auto scale = static_cast<float>(magnification(view, frame));
   const auto at = [&](float x, float y) {
-    const PicturePoint point = point_under(bench.view, frame, x, y);
+    const PicturePoint point = point_under(view, frame, x, y);
     return glm::vec2(point.x * scale, point.y * scale);
   };
   return {{static_cast<float>(frame.picture_width) * scale, static_cast<float>(frame.picture_height) * scale},
@@ -35,39 +34,39 @@ ShownImage shown_image(const Workbench& bench, const TileFrame& frame) {
           at(io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y)};
 }
 
-void drag_camera(Workbench& bench, const TileFrame& frame) {
+void drag_camera(Document& document, ViewState& view, const TileFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseDelta.x == 0.0F && io.MouseDelta.y == 0.0F) return;
-  const CameraParams& camera = bench.settings().camera;
-  const ShownImage image = shown_image(bench, frame);
+  const CameraParams& camera = document.settings().camera;
+  const ShownImage image = shown_image(view, frame);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-    set_camera(bench, dolly(camera, kDragStepsPerPixel * (io.MouseDelta.x - io.MouseDelta.y)));
+    set_camera(document, dolly(camera, kDragStepsPerPixel * (io.MouseDelta.x - io.MouseDelta.y)));
   } else if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift) {
-    set_camera(bench, pan(camera, image.before, image.mouse, image.size));
+    set_camera(document, pan(camera, image.before, image.mouse, image.size));
   } else {
-    set_camera(bench, orbit_drag(camera, image.before, image.mouse, image.size));
+    set_camera(document, orbit_drag(camera, image.before, image.mouse, image.size));
   }
 }
 
 }  // namespace
 
-bool camera_mouse(Workbench& bench, const TileFrame& frame) {
+bool camera_mouse(Document& document, ViewState& view, const TileFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool wanted = io.KeyAlt || bench.view.tool == MouseTool::camera;
-  const bool moving = bench.view.camera_moving && ImGui::IsItemActive();
-  if (ImGui::IsItemDeactivated() && bench.view.camera_moving) {
-    bench.view.camera_moving = false;
-    bench.end_edit();
+  const bool wanted = io.KeyAlt || view.tool == MouseTool::camera;
+  const bool moving = view.camera_moving && ImGui::IsItemActive();
+  if (ImGui::IsItemDeactivated() && view.camera_moving) {
+    view.camera_moving = false;
+    document.end_edit();
   }
   if (!wanted && !moving) return false;
   if (ImGui::IsItemActivated()) {
-    bench.view.camera_moving = true;
-    bench.begin_edit();
+    view.camera_moving = true;
+    document.begin_edit();
   }
-  if (ImGui::IsItemActive() && bench.view.camera_moving) drag_camera(bench, frame);
+  if (ImGui::IsItemActive() && view.camera_moving) drag_camera(document, view, frame);
   if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F)
-    set_camera(bench, dolly_at(bench.settings().camera, io.MouseWheel, shown_image(bench, frame).mouse,
-                               shown_image(bench, frame).size));
+    set_camera(document, dolly_at(document.settings().camera, io.MouseWheel, shown_image(view, frame).mouse,
+                                  shown_image(view, frame).size));
   return true;
 }
 

@@ -4,14 +4,15 @@
 #include <cmath>
 
 #include "app/panels/pictures/picture_tile.h"
+#include "app/window/listed_buffers.h"
 #include "app/window/theme.h"
 
 namespace inkbench {
 namespace {
 
-std::string label_of(const Workbench& bench, const char* side, const ComparedPicture& which) {
+std::string label_of(const Pictures& pictures, const char* side, const ComparedPicture& which) {
   std::string text = std::string(side) + "  " + std::string(name_of(which.buffer));
-  if (bench.pictures.pinned_settings()) text += which.pinned ? ", pinned" : ", now";
+  if (pictures.pinned_settings()) text += which.pinned ? ", pinned" : ", now";
   return text;
 }
 
@@ -25,27 +26,27 @@ void draw_label(const std::string& text, ImVec2 place, bool at_right) {
   list.AddText({low.x + pad.x, low.y + pad.y}, theme().text, text.c_str());
 }
 
-float split_x(const Workbench& bench, const TileRect& rect) {
-  return std::round(rect.low.x + static_cast<float>(bench.view.comparison.split) * rect.width());
+float split_x(const ViewState& view, const TileRect& rect) {
+  return std::round(rect.low.x + static_cast<float>(view.comparison.split) * rect.width());
 }
 
 /// The line between A and B takes the mouse before the pictures do. Returns whether it is under the mouse.
-bool handle_divider(Workbench& bench, const TileRect& rect) {
+bool handle_divider(ViewState& view, UiMap& ui_map, const TileRect& rect) {
   const float grip = scaled(6);
-  ImGui::SetCursorScreenPos({split_x(bench, rect) - grip, rect.low.y});
+  ImGui::SetCursorScreenPos({split_x(view, rect) - grip, rect.low.y});
   ImGui::InvisibleButton("split", {2 * grip, std::max(rect.height(), 1.0F)});
-  bench.ui_map.mark_item("split");
+  ui_map.mark_item("split");
   const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
   if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (ImGui::IsItemActive()) {
     const double share = (ImGui::GetIO().MousePos.x - rect.low.x) / std::max(rect.width(), 1.0F);
-    bench.view.comparison.split = std::clamp(share, 0.0, 1.0);
+    view.comparison.split = std::clamp(share, 0.0, 1.0);
   }
   return hot;
 }
 
-void draw_divider(const Workbench& bench, const TileRect& rect, bool hot) {
-  const float x = split_x(bench, rect);
+void draw_divider(const ViewState& view, const TileRect& rect, bool hot) {
+  const float x = split_x(view, rect);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddLine({x, rect.low.y}, {x, rect.high.y}, theme().accent, hot ? scaled(3) : scaled(2));
   list.AddCircleFilled({x, (rect.low.y + rect.high.y) / 2}, scaled(hot ? 7 : 6), theme().accent);
@@ -60,44 +61,45 @@ BufferName buffer_before(BufferName buffer) {
 
 }  // namespace
 
-void draw_comparison(Workbench& bench, ImVec2 low, ImVec2 room) {
-  const Comparison& comparison = bench.view.comparison;
+void draw_comparison(Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map, ImVec2 low,
+                     ImVec2 room) {
+  const Comparison& comparison = view.comparison;
   const TileRect rect{low, {std::floor(low.x + room.x), std::floor(low.y + room.y)}};
-  const bool hot = !comparison.flips && handle_divider(bench, rect);
-  const float x = split_x(bench, rect);
+  const bool hot = !comparison.flips && handle_divider(view, ui_map, rect);
+  const float x = split_x(view, rect);
   const bool mouse_on_b = comparison.flips ? comparison.shows_b : ImGui::GetIO().MousePos.x >= x;
   const ComparedPicture& under = mouse_on_b ? comparison.b : comparison.a;
-  handle_tile_mouse(bench, "tile:comparison", under, rect);
+  handle_tile_mouse(document, viewer.pictures, view, ui_map, "tile:comparison", under, rect);
   TileRect left = rect;
   TileRect right = rect;
   if (!comparison.flips) left.high.x = right.low.x = x;
-  if (!comparison.flips || !comparison.shows_b) draw_picture(bench, "A", comparison.a, rect, left);
-  if (!comparison.flips || comparison.shows_b) draw_picture(bench, "B", comparison.b, rect, right);
+  if (!comparison.flips || !comparison.shows_b) draw_picture(viewer, view, "A", comparison.a, rect, left);
+  if (!comparison.flips || comparison.shows_b) draw_picture(viewer, view, "B", comparison.b, rect, right);
   ImGui::GetWindowDrawList()->AddRect(rect.low, rect.high, theme().line);
-  if (!comparison.flips) draw_divider(bench, rect, hot);
+  if (!comparison.flips) draw_divider(view, rect, hot);
   const float in = scaled(8);
   if (!comparison.flips || !comparison.shows_b)
-    draw_label(label_of(bench, "A", comparison.a), {rect.low.x + in, rect.low.y + in}, false);
+    draw_label(label_of(viewer.pictures, "A", comparison.a), {rect.low.x + in, rect.low.y + in}, false);
   if (!comparison.flips || comparison.shows_b)
-    draw_label(label_of(bench, "B", comparison.b), {rect.high.x - in, rect.low.y + in}, true);
+    draw_label(label_of(viewer.pictures, "B", comparison.b), {rect.high.x - in, rect.low.y + in}, true);
 }
 
-void pin_state(Workbench& bench) {
-  bench.pin();
-  Comparison& comparison = bench.view.comparison;
-  if (!bench.pictures.pinned_settings() || !comparison.active) return;
+void pin_state(Viewer& viewer, ViewState& view) {
+  viewer.pin();
+  Comparison& comparison = view.comparison;
+  if (!viewer.pictures.pinned_settings() || !comparison.active) return;
   comparison.a = {comparison.b.buffer, true};
   comparison.b.pinned = false;
 }
 
-void toggle_comparison(Workbench& bench) {
-  Comparison& comparison = bench.view.comparison;
+void toggle_comparison(Pictures& pictures, ViewState& view) {
+  Comparison& comparison = view.comparison;
   if (comparison.active) {
     comparison.active = false;
     return;
   }
-  const bool pinned = bench.pictures.pinned_settings().has_value();
-  const BufferName selected = bench.view.filled.value_or(bench.view.selected);
+  const bool pinned = pictures.pinned_settings().has_value();
+  const BufferName selected = looked_at(view);
   const BufferName before = buffer_before(selected);
   if (comparison.a == comparison.b || comparison.a.buffer != selected || comparison.a.pinned != pinned) {
     comparison.a = {selected, pinned};

@@ -11,6 +11,8 @@
 #include "app/panels/pictures/picture_menu.h"
 #include "app/panels/pictures/picture_tile.h"
 #include "app/panels/widgets/widgets.h"
+#include "app/window/listed_buffers.h"
+#include "app/window/pictures.h"
 #include "app/window/theme.h"
 #include "pipeline/base/text.h"
 
@@ -58,14 +60,15 @@ std::string number_key(BufferName buffer) {
 }
 
 /// `shown`: the mouse is on the picture.
-void draw_fit_button(Workbench& bench, BufferName buffer, ImVec2 right_top, float height, bool shown) {
-  PictureChoice& choice = bench.pictures.choice(buffer);
+void draw_fit_button(Pictures& pictures, UiMap& ui_map, BufferName buffer, ImVec2 right_top, float height,
+                     bool shown) {
+  PictureChoice& choice = pictures.choice(buffer);
   const bool fitted = choice.kind == PictureChoice::Kind::fitted;
   const float width = ImGui::CalcTextSize("fit").x + scaled(8);
   ImGui::SetCursorScreenPos({right_top.x - width, right_top.y});
   const std::string id = "fit:" + std::string(name_of(buffer));
   if (ImGui::InvisibleButton(id.c_str(), {width, height})) toggle_fit(choice);
-  bench.ui_map.mark_item(id);
+  ui_map.mark_item(id);
   ImU32 colour = fitted ? theme().accent : theme().faint;
   if (ImGui::IsItemHovered()) colour = theme().text;
   if (!fitted && !shown && !ImGui::IsItemHovered()) return;
@@ -74,53 +77,57 @@ void draw_fit_button(Workbench& bench, BufferName buffer, ImVec2 right_top, floa
   help_for_item("Show the smallest value as black and the largest as white. Files keep the display gains.");
 }
 
-void draw_caption(Workbench& bench, BufferName buffer, const TileRect& picture, bool hovered) {
+void draw_caption(Pictures& pictures, const ViewState& view, UiMap& ui_map, BufferName buffer,
+                  const TileRect& picture, bool hovered) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float top = picture.low.y - caption_height();
   const float text_y = top + scaled(3);
-  const ShownPicture& shown = bench.pictures.shown(buffer, false);
+  const ShownPicture& shown = pictures.shown(buffer, false);
   float right = picture.high.x;
   float x = picture.low.x + scaled(1);
   list.AddText({x, text_y}, theme().faint, number_key(buffer).c_str());
   x += ImGui::CalcTextSize("0").x + scaled(6);
   const float button = ImGui::CalcTextSize("fit").x + scaled(10);
-  const bool fitted = bench.pictures.choice(buffer).kind == PictureChoice::Kind::fitted;
+  const bool fitted = pictures.choice(buffer).kind == PictureChoice::Kind::fitted;
   const bool has_room = ImGui::CalcTextSize(name_of(buffer).data()).x + button <= right - x;
   if (has_range(buffer) && (fitted || has_room)) {  // else the picture's menu has it
-    draw_fit_button(bench, buffer, {right, top}, caption_height(), hovered);
+    draw_fit_button(pictures, ui_map, buffer, {right, top}, caption_height(), hovered);
     if (fitted || hovered) right -= button;
   }
-  const ImU32 colour = bench.view.selected == buffer ? theme().accent : theme().text;
+  const ImU32 colour = view.selected == buffer ? theme().accent : theme().text;
   x += draw_fitted_text(list, {x, text_y}, right - x, colour, name_of(buffer)) + scaled(8);
   const std::string note = range_note(shown);
   if (!note.empty() && ImGui::CalcTextSize(note.c_str()).x < right - x)
     list.AddText({x, text_y}, theme().faint, note.c_str());
 }
 
-void draw_tile(Workbench& bench, BufferName buffer, const TileRect& picture) {
+}  // namespace
+
+void ContactSheet::draw_tile(BufferName buffer, const TileRect& picture) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const std::string name(name_of(buffer));
   const ComparedPicture which{buffer, false};
-  const TileMouse mouse = handle_tile_mouse(bench, "tile:" + name, which, picture);
-  draw_picture_menu(bench, buffer);
-  if (mouse.clicked) bench.view.selected = buffer;
+  const TileMouse mouse =
+      handle_tile_mouse(document_, viewer_.pictures, view_, ui_map_, "tile:" + name, which, picture);
+  draw_picture_menu(document_, viewer_.pictures, view_, problems_, wanted_dialog_, ui_map_, buffer);
+  if (mouse.clicked) view_.selected = buffer;
   if (mouse.double_clicked) {
-    bench.view.filled = bench.view.filled ? std::nullopt : std::optional(buffer);
+    view_.filled = view_.filled ? std::nullopt : std::optional(buffer);
   }
-  draw_picture(bench, name, which, picture, picture);
-  const bool selected = bench.view.selected == buffer;
+  draw_picture(viewer_, view_, name, which, picture, picture);
+  const bool selected = view_.selected == buffer;
   const float out = selected ? scaled(1) : 0;
   list.AddRect({picture.low.x - out, picture.low.y - out}, {picture.high.x + out, picture.high.y + out},
                selected ? theme().accent : theme().line, 0, 0, selected ? scaled(2) : 1.0F);
-  draw_caption(bench, buffer, picture, mouse.hovered);
+  draw_caption(viewer_.pictures, view_, ui_map_, buffer, picture, mouse.hovered);
 }
 
-void draw_sheet(Workbench& bench, ImVec2 low, ImVec2 room) {
+void ContactSheet::draw_sheet(ImVec2 low, ImVec2 room) {
   std::vector<BufferName> listed;
   for (const BufferName buffer : all_buffers()) {
-    if (bench.is_listed(buffer)) listed.push_back(buffer);
+    if (is_listed(layout_, buffer)) listed.push_back(buffer);
   }
-  const ImageParams& image = bench.settings().image;
+  const ImageParams& image = document_.settings().image;
   const SheetGrid grid = best_grid(static_cast<int>(listed.size()), room,
                                    static_cast<float>(image.width) / static_cast<float>(image.height));
   if (grid.width < 1) return;
@@ -132,29 +139,27 @@ void draw_sheet(Workbench& bench, ImVec2 low, ImVec2 room) {
     const auto column = static_cast<float>(i % grid.columns);
     const auto row = static_cast<float>(i / grid.columns);
     const ImVec2 at{std::floor(left + column * across), std::floor(top + row * down + caption_height())};
-    draw_tile(bench, listed[i], {at, {at.x + grid.width, at.y + grid.height}});
+    draw_tile(listed[i], {at, {at.x + grid.width, at.y + grid.height}});
   }
 }
 
-}  // namespace
-
-void draw_contact_sheet(Workbench& bench) {
-  bench.view.hovered.reset();
+void ContactSheet::draw() {
+  view_.hovered.reset();
   const float edge = scaled(12);
   ImVec2 low = ImGui::GetCursorScreenPos();
   ImVec2 room = ImGui::GetContentRegionAvail();
   low = {std::floor(low.x + edge), std::floor(low.y + scaled(6))};
   room = {room.x - 2 * edge, room.y - scaled(6) - edge};
   if (room.x < scaled(20) || room.y < scaled(20)) return;
-  if (bench.view.comparison.active) {
-    draw_comparison(bench, low, room);
-  } else if (bench.view.filled) {
+  if (view_.comparison.active) {
+    draw_comparison(document_, viewer_, view_, ui_map_, low, room);
+  } else if (view_.filled) {
     const ImVec2 top{low.x, low.y + caption_height()};
-    draw_tile(bench, *bench.view.filled, {top, {std::floor(low.x + room.x), std::floor(low.y + room.y)}});
+    draw_tile(*view_.filled, {top, {std::floor(low.x + room.x), std::floor(low.y + room.y)}});
   } else {
-    draw_sheet(bench, low, room);
+    draw_sheet(low, room);
   }
-  draw_overlay_legend(bench, {low.x, low.y + room.y}, room.x);
+  draw_overlay_legend(viewer_, layout_, {low.x, low.y + room.y}, room.x);
 }
 
 }  // namespace inkbench

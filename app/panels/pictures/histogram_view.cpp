@@ -47,20 +47,20 @@ void draw_mark_at(float x, ImVec2 low, ImVec2 high, ImU32 fill, bool hot) {
 
 }  // namespace
 
-ShownRange shown_range(Workbench& bench, BufferName buffer) {
-  const PictureChoice& choice = bench.pictures.choice(buffer);
+ShownRange shown_range(const Document& document, Pictures& pictures, BufferName buffer) {
+  const PictureChoice& choice = pictures.choice(buffer);
   if (choice.kind == PictureChoice::Kind::fixed) return choice.fixed;
-  const ShownPicture& shown = bench.pictures.shown(buffer, false);
+  const ShownPicture& shown = pictures.shown(buffer, false);
   if (choice.kind == PictureChoice::Kind::fitted && shown.range) return *shown.range;
-  return gain_range(bench.settings().display, buffer);
+  return gain_range(document.settings().display, buffer);
 }
 
 /// Of what is drawn; where that takes long, after a drag only.
-void HistogramView::refresh(Workbench& bench, const Frame& drawn, BufferName buffer) {
+void HistogramView::refresh(const Frame& drawn, BufferName buffer) {
   const Key key = KeyBuilder().add(name_of(buffer)).add(drawn.key(buffer)).key();
   if (key == key_) return;
   const bool same = buffer == buffer_ && !histogram_.channels.empty();
-  if (same && bench.is_editing() && took_ms_ > kLongMs) return;
+  if (same && document_.is_editing() && took_ms_ > kLongMs) return;
   const auto start = std::chrono::steady_clock::now();
   histogram_ = histogram_of(drawn.raw(buffer), kBins);
   took_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -68,8 +68,7 @@ void HistogramView::refresh(Workbench& bench, const Frame& drawn, BufferName buf
   buffer_ = buffer;
 }
 
-void HistogramView::drag_marks(Workbench& bench, BufferName buffer, const ShownRange& range, ImVec2 low,
-                               ImVec2 high) {
+void HistogramView::drag_marks(BufferName buffer, const ShownRange& range, ImVec2 low, ImVec2 high) {
   const float mouse = ImGui::GetIO().MousePos.x;
   const auto x_of = [&](float value) {
     return low.x + (value - axis_.low) / (axis_.high - axis_.low) * (high.x - low.x);
@@ -84,18 +83,18 @@ void HistogramView::drag_marks(Workbench& bench, BufferName buffer, const ShownR
     const float value =
         axis_.low + std::clamp((mouse - low.x) / (high.x - low.x), 0.0F, 1.0F) * (axis_.high - axis_.low);
     const float least = (axis_.high - axis_.low) * 1e-3F;
-    PictureChoice& choice = bench.pictures.choice(buffer);
+    PictureChoice& choice = viewer_.pictures.choice(buffer);
     choice = {PictureChoice::Kind::fixed, range};
     if (dragged_ == 0) choice.fixed.black = std::min(value, range.white - least);
     if (dragged_ == 1) choice.fixed.white = std::max(value, range.black + least);
   }
   if (!ImGui::IsItemActive()) dragged_ = -1;
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-    bench.pictures.choice(buffer).kind = PictureChoice::Kind::gains;
+    viewer_.pictures.choice(buffer).kind = PictureChoice::Kind::gains;
 }
 
 /// What is typed is taken; the other value makes room for it.
-void HistogramView::draw_fields(Workbench& bench, BufferName buffer, const ShownRange& range) {
+void HistogramView::draw_fields(BufferName buffer, const ShownRange& range) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float labels = ImGui::CalcTextSize("black").x + ImGui::CalcTextSize("white").x;
   const float room = ImGui::GetContentRegionAvail().x - labels - button_width("log") - 4 * gap;
@@ -108,28 +107,28 @@ void HistogramView::draw_fields(Workbench& bench, BufferName buffer, const Shown
     const bool entered =
         ImGui::InputFloat("##value", &value, 0, 0, "%g", ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopID();
-    bench.ui_map.mark_item(std::string("range:") + name);
+    ui_map_.mark_item(std::string("range:") + name);
     ImGui::SameLine();
     return entered && std::isfinite(value) ? std::optional(value) : std::nullopt;
   };
   const auto least = [&](float value) {
     return std::max((axis_.high - axis_.low) * 1e-3F, std::abs(value) * 1e-4F);
   };
-  PictureChoice& choice = bench.pictures.choice(buffer);
+  PictureChoice& choice = viewer_.pictures.choice(buffer);
   if (const std::optional<float> black = field("black", range.black))
     choice = {PictureChoice::Kind::fixed, {*black, std::max(range.white, *black + least(*black))}};
   if (const std::optional<float> white = field("white", range.white))
     choice = {PictureChoice::Kind::fixed, {std::min(range.black, *white - least(*white)), *white}};
 }
 
-void HistogramView::draw(Workbench& bench, BufferName buffer) {
-  if (!bench.drawn()) return;
+void HistogramView::draw(BufferName buffer) {
+  if (!viewer_.drawn()) return;
   try {
-    refresh(bench, *bench.drawn(), buffer);
+    refresh(*viewer_.drawn(), buffer);
   } catch (const Error&) {
     return;  // told by the banner
   }
-  const ShownRange range = shown_range(bench, buffer);
+  const ShownRange range = shown_range(document_, viewer_.pictures, buffer);
   if (dragged_ < 0) axis_ = {std::min(histogram_.low, range.black), std::max(histogram_.high, range.white)};
   if (!(axis_.low < axis_.high)) axis_.high = axis_.low + 1.0F;
   const float in = scaled(5);
@@ -142,12 +141,12 @@ void HistogramView::draw(Workbench& bench, BufferName buffer) {
     return low.x + (value - axis_.low) / (axis_.high - axis_.low) * (high.x - low.x);
   };
   const auto mark = [&](const char* name, float from, float to) {
-    if (ImGui::IsItemVisible()) bench.ui_map.mark(name, {from, low.y, to, high.y});
+    if (ImGui::IsItemVisible()) ui_map_.mark(name, {from, low.y, to, high.y});
   };
   mark("histogram", low.x, high.x);
   mark("mark:black", x_of(range.black) - 2, x_of(range.black) + 2);
   mark("mark:white", x_of(range.white) - 2, x_of(range.white) + 2);
-  drag_marks(bench, buffer, range, low, high);
+  drag_marks(buffer, range, low, high);
   const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, theme().field, scaled(2));
@@ -163,9 +162,9 @@ void HistogramView::draw(Workbench& bench, BufferName buffer) {
     help_for_item(
         "How often each value occurs. Drag the marks to choose what is shown as black and as white; "
         "double click for the display gains again.");
-  draw_fields(bench, buffer, range);
+  draw_fields(buffer, range);
   if (toggle_button("log", log_, "Bars by the logarithm of how often.")) log_ = !log_;
-  bench.ui_map.mark_item("histogram log");
+  ui_map_.mark_item("histogram log");
 }
 
 }  // namespace inkbench

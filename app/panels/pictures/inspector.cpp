@@ -10,6 +10,8 @@
 #include "app/panels/widgets/value_bar.h"
 #include "app/panels/widgets/widgets.h"
 #include "app/window/gui.h"
+#include "app/window/listed_buffers.h"
+#include "app/window/pictures.h"
 #include "app/window/theme.h"
 #include "pipeline/base/error.h"
 
@@ -22,41 +24,41 @@ std::string values_text(const Image& pixel) {
 }
 
 /// How the buffer is shown.
-void draw_choice(Workbench& bench, BufferName buffer) {
-  PictureChoice& choice = bench.pictures.choice(buffer);
+void draw_choice(const Document& document, Pictures& pictures, UiMap& ui_map, BufferName buffer) {
+  PictureChoice& choice = pictures.choice(buffer);
   constexpr std::array kKinds{"With the display gains", "Fitted: smallest to largest", "Between two values"};
   ImGui::SetNextItemWidth(-1);
   if (ImGui::BeginCombo("##kind", kKinds[static_cast<size_t>(choice.kind)])) {
     for (size_t i = 0; i < kKinds.size(); ++i) {
       const auto kind = static_cast<PictureChoice::Kind>(i);
       if (!ImGui::Selectable(kKinds[i], choice.kind == kind)) continue;
-      if (kind == PictureChoice::Kind::fixed) choice.fixed = shown_range(bench, buffer);
+      if (kind == PictureChoice::Kind::fixed) choice.fixed = shown_range(document, pictures, buffer);
       choice.kind = kind;
     }
     ImGui::EndCombo();
   }
-  bench.ui_map.mark_item("picture choice");
+  ui_map.mark_item("picture choice");
 }
 
-void draw_buffer(Workbench& bench, BufferName buffer) {
+void draw_buffer(const Document& document, Pictures& pictures, UiMap& ui_map, BufferName buffer) {
   ImGui::PushFont(fonts().bold);
   ImGui::TextUnformatted(name_of(buffer).data());
   ImGui::PopFont();
   wrapped_text(std::string(buffer.info().help), theme().faint);
-  const ShownPicture& shown = bench.pictures.shown(buffer, false);
+  const ShownPicture& shown = pictures.shown(buffer, false);
   if (shown.texture != nullptr)
     faint_text(fmt::format("{} × {} px", shown.texture->width_px(), shown.texture->height_px()));
   ImGui::Dummy({0, scaled(2)});
-  if (has_range(buffer)) draw_choice(bench, buffer);
+  if (has_range(buffer)) draw_choice(document, pictures, ui_map, buffer);
 }
 
-void value_row(Workbench& bench, BufferName buffer, const HoveredPixel& pixel) {
+void value_row(Viewer& viewer, BufferName buffer, const HoveredPixel& pixel) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   coloured_text(buffer == pixel.picture.buffer ? theme().text : theme().faint, name_of(buffer));
   ImGui::TableNextColumn();
   // Those that are drawn, not those that this frame's mouse made: reading must not run a pass.
-  const std::optional<Frame>& frame = bench.drawn();
+  const std::optional<Frame>& frame = viewer.drawn();
   if (!frame || pixel.x >= frame->settings().image.width || pixel.y >= frame->settings().image.height) return;
   try {
     ImGui::TextUnformatted(values_text(frame->pixel(buffer, pixel.x, pixel.y)).c_str());
@@ -65,14 +67,14 @@ void value_row(Workbench& bench, BufferName buffer, const HoveredPixel& pixel) {
   }
 }
 
-void draw_values(Workbench& bench, const HoveredPixel& pixel) {
+void draw_values(Viewer& viewer, const WindowLayout& layout, const HoveredPixel& pixel) {
   if (!ImGui::BeginTable("values", 2)) return;
   ImGui::TableSetupColumn("buffer", ImGuiTableColumnFlags_WidthFixed,
                           ImGui::CalcTextSize("combined_edges").x);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
   for (const BufferName buffer : all_buffers()) {
     const bool has_values = buffer.info().shown_as != ShownAs::drawing;
-    if (has_values && bench.is_listed(buffer)) value_row(bench, buffer, pixel);
+    if (has_values && is_listed(layout, buffer)) value_row(viewer, buffer, pixel);
   }
   ImGui::EndTable();
 }
@@ -89,11 +91,11 @@ void divide() {
 
 }  // namespace
 
-void InspectorPanel::draw_pixel(Workbench& bench) {
-  if (bench.view.hovered && !bench.view.hovered->picture.pinned) pixel_ = bench.view.hovered;
+void InspectorPanel::draw_pixel() {
+  if (view_.hovered && !view_.hovered->picture.pinned) pixel_ = view_.hovered;
   std::optional<HoveredPixel> pixel = pixel_;
-  if (!bench.view.hovered && bench.view.marked)
-    pixel = HoveredPixel{{bench.view.selected, false}, bench.view.marked->x, bench.view.marked->y};
+  if (!view_.hovered && view_.marked)
+    pixel = HoveredPixel{{view_.selected, false}, view_.marked->x, view_.marked->y};
   if (!pixel) {
     wrapped_text("Move the mouse over a picture to read the value of every buffer there.", theme().faint);
     return;
@@ -101,23 +103,23 @@ void InspectorPanel::draw_pixel(Workbench& bench) {
   ImGui::PushFont(fonts().bold);
   ImGui::Text("Pixel %d, %d", pixel->x, pixel->y);
   ImGui::PopFont();
-  draw_values(bench, *pixel);
+  draw_values(viewer_, layout_, *pixel);
 }
 
-void InspectorPanel::draw(Workbench& bench) {
-  const bool can_draw = !bench.problems().contains(ProblemKind::drawing);
-  const BufferName selected = bench.view.filled.value_or(bench.view.selected);
-  if (bench.view.marked) {
-    draw_why(bench);
+void InspectorPanel::draw() {
+  const bool can_draw = viewer_.can_draw();
+  const BufferName selected = looked_at(view_);
+  if (view_.marked) {
+    draw_why(document_, viewer_, view_, ui_map_);
     divide();
   }
-  draw_buffer(bench, selected);
-  if (can_draw && has_range(selected)) histogram_.draw(bench, selected);
+  draw_buffer(document_, viewer_.pictures, ui_map_, selected);
+  if (can_draw && has_range(selected)) histogram_.draw(selected);
   divide();
-  if (can_draw) draw_pixel(bench);
-  if (bench.view.marked) return;
+  if (can_draw) draw_pixel();
+  if (view_.marked) return;
   divide();
-  draw_why(bench);
+  draw_why(document_, viewer_, view_, ui_map_);
 }
 
 }  // namespace inkbench

@@ -3,17 +3,36 @@
 #pragma once
 
 #include "app/panels/pictures/histogram_view.h"
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
+#include "app/window/view_state.h"
+#include "app/window/viewer.h"
+#include "app/workbench/document.h"
+#include "app/workbench/window_layout.h"
 
 namespace inkbench {
 
 class InspectorPanel {
  public:
-  void draw(Workbench& bench);
+  /// All must outlive it.
+  InspectorPanel(const Document& document, Viewer& viewer, const WindowLayout& layout, ViewState& view,
+                 UiMap& ui_map)
+      : document_(document),
+        viewer_(viewer),
+        layout_(layout),
+        view_(view),
+        ui_map_(ui_map),
+        histogram_(document, viewer, ui_map) {}
+
+  void draw();
 
  private:
-  void draw_pixel(Workbench& bench);
+  void draw_pixel();
 
+  const Document& document_;
+  Viewer& viewer_;
+  const WindowLayout& layout_;
+  ViewState& view_;
+  UiMap& ui_map_;
   HistogramView histogram_;
   std::optional<HoveredPixel> pixel_;  ///< The last one under the mouse.
 };

@@ -28,9 +28,8 @@ void draw_cross(ImDrawList& list, ImVec2 low, ImVec2 high, ImU32 colour, float w
 
 }  // namespace
 
-void mark_with_mouse(Workbench& bench, const TileFrame& frame) {
+void mark_with_mouse(ViewState& view, const TileFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  ViewState& view = bench.view;
   const float limit = scaled(kClickMoves);
   const bool clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                        io.MouseDragMaxDistanceSqr[0] < limit * limit;
@@ -46,20 +45,20 @@ void mark_with_mouse(Workbench& bench, const TileFrame& frame) {
   view.marked = pixel;
 }
 
-void move_mark(Workbench& bench, int dx, int dy) {
-  if (!bench.view.marked) return;
-  MarkedPixel& pixel = *bench.view.marked;
-  const ImageParams& image = bench.settings().image;
+void move_mark(const Document& document, ViewState& view, int dx, int dy) {
+  if (!view.marked) return;
+  MarkedPixel& pixel = *view.marked;
+  const ImageParams& image = document.settings().image;
   pixel.x = std::clamp(pixel.x + dx, 0, image.width - 1);
   pixel.y = std::clamp(pixel.y + dy, 0, image.height - 1);
 }
 
-void draw_mark(const Workbench& bench, const TileFrame& frame) {
-  if (!bench.view.marked) return;
-  const MarkedPixel& pixel = *bench.view.marked;
+void draw_mark(const ViewState& view, const TileFrame& frame) {
+  if (!view.marked) return;
+  const MarkedPixel& pixel = *view.marked;
   if (pixel.x >= frame.picture_width || pixel.y >= frame.picture_height) return;
-  const PicturePoint middle = point_over(bench.view, frame, pixel.x + 0.5, pixel.y + 0.5);
-  const auto half = std::max(scaled(kSmallest), static_cast<float>(magnification(bench.view, frame) / 2) + 1);
+  const PicturePoint middle = point_over(view, frame, pixel.x + 0.5, pixel.y + 0.5);
+  const auto half = std::max(scaled(kSmallest), static_cast<float>(magnification(view, frame) / 2) + 1);
   const ImVec2 at{std::round(static_cast<float>(middle.x)), std::round(static_cast<float>(middle.y))};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 low{at.x - half, at.y - half};

@@ -64,7 +64,7 @@ void draw_swatch(ImDrawList& list, const Swatch& swatch, ImVec2 low) {
 
 }  // namespace
 
-void overlay_choice(Workbench& bench) {
+void overlay_choice(WindowLayout& layout, UiMap& ui_map) {
   constexpr std::array<std::pair<const char*, const char*>, 3> kChoices{
       {{"Plain", "Pictures as they are (L)."},
        {"Reference", "The reference lines over every picture, by class (L)."},
@@ -72,22 +72,22 @@ void overlay_choice(Workbench& bench) {
   for (size_t i = 0; i < kChoices.size(); ++i) {
     const auto overlay = static_cast<Overlay>(i);
     if (i > 0) ImGui::SameLine(0, 2);
-    if (toggle_button(kChoices[i].first, bench.layout.overlay == overlay, kChoices[i].second))
-      bench.layout.overlay = overlay;
-    bench.ui_map.mark_item("overlay:" + std::to_string(i));
+    if (toggle_button(kChoices[i].first, layout.overlay == overlay, kChoices[i].second))
+      layout.overlay = overlay;
+    ui_map.mark_item("overlay:" + std::to_string(i));
   }
 }
 
-void next_overlay(Workbench& bench) {
-  bench.layout.overlay = static_cast<Overlay>((static_cast<int>(bench.layout.overlay) + 1) % 3);
+void next_overlay(WindowLayout& layout) {
+  layout.overlay = static_cast<Overlay>((static_cast<int>(layout.overlay) + 1) % 3);
 }
 
-void draw_overlay_legend(Workbench& bench, ImVec2 foot, float width) {
-  const Overlay overlay = bench.layout.overlay;
+void draw_overlay_legend(Viewer& viewer, const WindowLayout& layout, ImVec2 foot, float width) {
+  const Overlay overlay = layout.overlay;
   if (overlay == Overlay::none) return;
   std::vector<Swatch> swatches = overlay == Overlay::reference
-                                     ? reference_swatches(bench.pictures.reference().now())
-                                     : match_swatches(bench.judge.now());
+                                     ? reference_swatches(viewer.pictures.reference().now())
+                                     : match_swatches(viewer.judge.now());
   const float pad = scaled(8);
   float total = total_width(swatches);
   while (swatches.size() > 1 && total + 2 * pad > width) {

@@ -12,53 +12,53 @@ namespace {
 
 constexpr double kWheelFactor = 1.2;
 
-const ShownPicture& picture_of(const Workbench& bench, const ComparedPicture& which) {
-  return bench.pictures.shown(which.buffer, which.pinned);
+const ShownPicture& picture_of(const Pictures& pictures, const ComparedPicture& which) {
+  return pictures.shown(which.buffer, which.pinned);
 }
 
-void remember_hover(Workbench& bench, const ComparedPicture& which, const TileFrame& frame) {
+void remember_hover(ViewState& view, const ComparedPicture& which, const TileFrame& frame) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const PicturePoint point = point_under(bench.view, frame, mouse.x, mouse.y);
+  const PicturePoint point = point_under(view, frame, mouse.x, mouse.y);
   const int x = static_cast<int>(std::floor(point.x));
   const int y = static_cast<int>(std::floor(point.y));
   const bool inside = x >= 0 && y >= 0 && x < frame.picture_width && y < frame.picture_height;
-  if (inside) bench.view.hovered = HoveredPixel{which, x, y};
+  if (inside) view.hovered = HoveredPixel{which, x, y};
 }
 
-void move_view(Workbench& bench, const TileFrame& frame, bool dragging) {
+void move_view(ViewState& view, const TileFrame& frame, bool dragging) {
   const ImGuiIO& io = ImGui::GetIO();
   const double wheel = static_cast<double>(io.MouseWheel);
   if (ImGui::IsItemHovered() && wheel != 0.0)
-    zoom_about(bench.view, frame, io.MousePos.x, io.MousePos.y, std::pow(kWheelFactor, wheel));
-  if (dragging) pan_by(bench.view, frame, io.MouseDelta.x, io.MouseDelta.y);
+    zoom_about(view, frame, io.MousePos.x, io.MousePos.y, std::pow(kWheelFactor, wheel));
+  if (dragging) pan_by(view, frame, io.MouseDelta.x, io.MouseDelta.y);
 }
 
 /// Pinned pictures and the lines themselves have none; one of another size is of settings a moment ago.
-TileOverlay overlay_for(Workbench& bench, const ComparedPicture& which, const Texture& picture) {
+TileOverlay overlay_for(Viewer& viewer, const ComparedPicture& which, const Texture& picture) {
   if (which.pinned || which.buffer == BufferName::reference) return {};
-  const TileOverlay overlay = bench.judge.overlay(bench.layout.overlay, bench.pictures.reference());
+  const TileOverlay overlay = viewer.overlay();
   const bool fits = overlay.texture != nullptr && overlay.texture->width_px() == picture.width_px() &&
                     overlay.texture->height_px() == picture.height_px();
   return fits ? overlay : TileOverlay{};
 }
 
 /// Over the picture that was just drawn. What cannot be drawn is told by the pictures themselves.
-void draw_wires(Workbench& bench, const TilePlace& place, const TileRect& rect) {
-  if (bench.problems().contains(ProblemKind::drawing) || !bench.drawn()) return;
+void draw_wires(Viewer& viewer, const TilePlace& place, const TileRect& rect) {
+  if (!viewer.can_draw() || !viewer.drawn()) return;
   const ImVec4 colour = as_vec4(theme().accent);
   const WireView view{place,
                       static_cast<int>(rect.width()),
                       static_cast<int>(rect.height()),
                       {colour.x, colour.y, colour.z, 1.0F}};
-  const Texture& wires = bench.wires.paint(*bench.drawn(), view);
+  const Texture& wires = viewer.wires.paint(*viewer.drawn(), view);
   ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(wires.id())),
                                        rect.low, rect.high, {0, 1}, {1, 0});
 }
 
 }  // namespace
 
-TileFrame frame_of(const Workbench& bench, const ComparedPicture& which, const TileRect& rect) {
-  const ShownPicture& shown = picture_of(bench, which);
+TileFrame frame_of(const Pictures& pictures, const ComparedPicture& which, const TileRect& rect) {
+  const ShownPicture& shown = picture_of(pictures, which);
   TileFrame frame{rect.low.x, rect.low.y, std::max(rect.width(), 1.0F), std::max(rect.height(), 1.0F)};
   if (shown.texture != nullptr) {
     frame.picture_width = shown.texture->width_px();
@@ -67,48 +67,48 @@ TileFrame frame_of(const Workbench& bench, const ComparedPicture& which, const T
   return frame;
 }
 
-void draw_picture(Workbench& bench, const std::string& slot, const ComparedPicture& which,
+void draw_picture(Viewer& viewer, ViewState& view, const std::string& slot, const ComparedPicture& which,
                   const TileRect& rect, const TileRect& clip) {
-  const ShownPicture& shown = picture_of(bench, which);
+  const ShownPicture& shown = picture_of(viewer.pictures, which);
   const int width = static_cast<int>(rect.width());
   const int height = static_cast<int>(rect.height());
   if (shown.texture == nullptr || width < 1 || height < 1) return;
-  const TileFrame frame = frame_of(bench, which, rect);
-  if (bench.view.wanted_magnification) set_magnification(bench.view, frame, *bench.view.wanted_magnification);
-  bench.view.wanted_magnification.reset();
-  bench.view.magnification = magnification(bench.view, frame);
-  const PicturePoint corner = point_under(bench.view, frame, frame.left, frame.top);
+  const TileFrame frame = frame_of(viewer.pictures, which, rect);
+  if (view.wanted_magnification) set_magnification(view, frame, *view.wanted_magnification);
+  view.wanted_magnification.reset();
+  view.magnification = magnification(view, frame);
+  const PicturePoint corner = point_under(view, frame, frame.left, frame.top);
   // The picture's corner on a whole window pixel: one to one is exactly that, and magnified pixels are even.
-  const double scale = magnification(bench.view, frame);
+  const double scale = magnification(view, frame);
   const TilePlace place{std::round(corner.x * scale) / scale, std::round(corner.y * scale) / scale,
                         1.0 / scale};
-  const Texture& tile = bench.tiles.paint(slot, *shown.texture, shown.key, place, width, height,
-                                          overlay_for(bench, which, *shown.texture));
+  const Texture& tile = viewer.tiles.paint(slot, *shown.texture, shown.key, place, width, height,
+                                           overlay_for(viewer, which, *shown.texture));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(clip.low, clip.high, true);
   list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(tile.id())), rect.low, rect.high, {0, 1},
                 {1, 0});
-  if (bench.view.wireframe && !which.pinned) draw_wires(bench, place, rect);
-  draw_mark(bench, frame);
+  if (view.wireframe && !which.pinned) draw_wires(viewer, place, rect);
+  draw_mark(view, frame);
   list.PopClipRect();
 }
 
-TileMouse handle_tile_mouse(Workbench& bench, const std::string& id, const ComparedPicture& which,
-                            const TileRect& rect) {
+TileMouse handle_tile_mouse(Document& document, Pictures& pictures, ViewState& view, UiMap& ui_map,
+                            const std::string& id, const ComparedPicture& which, const TileRect& rect) {
   ImGui::SetCursorScreenPos(rect.low);
   ImGui::InvisibleButton(id.c_str(), {std::max(rect.width(), 1.0F), std::max(rect.height(), 1.0F)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                              ImGuiButtonFlags_MouseButtonRight);
-  bench.ui_map.mark_item(id);
-  const TileFrame frame = frame_of(bench, which, rect);
+  ui_map.mark_item(id);
+  const TileFrame frame = frame_of(pictures, which, rect);
   const bool hovered = ImGui::IsItemHovered();
-  if (hovered) remember_hover(bench, which, frame);
-  mark_with_mouse(bench, frame);
-  if (!which.pinned && camera_mouse(bench, frame)) return {hovered};
+  if (hovered) remember_hover(view, which, frame);
+  mark_with_mouse(view, frame);
+  if (!which.pinned && camera_mouse(document, view, frame)) return {hovered};
   const bool held = ImGui::IsItemActive();
   const bool dragging = held && (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0F) ||
                                  ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0F));
-  move_view(bench, frame, dragging);
+  move_view(view, frame, dragging);
   return {hovered, ImGui::IsItemClicked(), hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)};
 }
 

@@ -5,7 +5,11 @@
 
 #include <string>
 
-#include "app/window/workbench.h"
+#include "app/window/pictures.h"
+#include "app/window/ui_map.h"
+#include "app/window/view_state.h"
+#include "app/window/viewer.h"
+#include "app/workbench/document.h"
 
 namespace inkbench {
 
@@ -17,7 +21,7 @@ struct TileRect {
 
 /// Draws a picture's part that the view shows into the rectangle; nothing where there is no picture yet.
 /// `clip`: what of the rectangle is drawn.
-void draw_picture(Workbench& bench, const std::string& slot, const ComparedPicture& which,
+void draw_picture(Viewer& viewer, ViewState& view, const std::string& slot, const ComparedPicture& which,
                   const TileRect& rect, const TileRect& clip);
 
 /// What the mouse did on a tile besides zoom, pan and camera, which are done here.
@@ -26,10 +30,10 @@ struct TileMouse {
 };
 
 /// An ImGui item over the rectangle that takes the mouse.
-TileMouse handle_tile_mouse(Workbench& bench, const std::string& id, const ComparedPicture& which,
-                            const TileRect& rect);
+TileMouse handle_tile_mouse(Document& document, Pictures& pictures, ViewState& view, UiMap& ui_map,
+                            const std::string& id, const ComparedPicture& which, const TileRect& rect);
 
 /// The rectangle and the picture in it, for `view_state.h`.
-TileFrame frame_of(const Workbench& bench, const ComparedPicture& which, const TileRect& rect);
+TileFrame frame_of(const Pictures& pictures, const ComparedPicture& which, const TileRect& rect);
 
 }  // namespace inkbench

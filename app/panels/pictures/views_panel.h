@@ -3,20 +3,33 @@
 
 #include <string>
 
-#include "app/window/workbench.h"
+#include "app/window/keeping.h"
+#include "app/window/pictures.h"
+#include "app/window/ui_map.h"
+#include "app/workbench/document.h"
+#include "app/workbench/problems.h"
 
 namespace inkbench {
 
 class ViewsPanel {
  public:
+  /// All must outlive it.
+  ViewsPanel(Document& document, Pictures& pictures, Keeping& keeping, Problems& problems, UiMap& ui_map)
+      : document_(document), pictures_(pictures), keeping_(keeping), problems_(problems), ui_map_(ui_map) {}
+
   /// Draws into the current ImGui window.
-  void draw(Workbench& bench);
+  void draw();
 
  private:
-  void draw_bookmark(Workbench& bench, size_t index);
-  void draw_bookmarks(Workbench& bench);
-  void draw_name(Workbench& bench, size_t index, float width);
+  void draw_bookmark(size_t index);
+  void draw_bookmarks();
+  void draw_name(size_t index, float width);
 
+  Document& document_;
+  Pictures& pictures_;
+  Keeping& keeping_;
+  Problems& problems_;
+  UiMap& ui_map_;
   std::string name_;
   int renamed_ = -1;  ///< The bookmark whose name is being typed.
   bool focus_ = false;
@@ -24,12 +37,12 @@ class ViewsPanel {
 };
 
 /// Keeps the camera under the digit 1 to 9, in place of the one that had it.
-void keep_view(Workbench& bench, int key);
+void keep_view(const Document& document, Keeping& keeping, Problems& problems, int key);
 /// Back to the camera that has the digit; where none has, the log says so.
-void recall_view(Workbench& bench, int key);
+void recall_view(Document& document, Keeping& keeping, Problems& problems, int key);
 
 /// The camera farther or nearer so that all visible models, or the main one, fill the picture.
 enum class FitTo { scene, model };
-void fit_view(Workbench& bench, FitTo what);
+void fit_view(Document& document, Pictures& pictures, Problems& problems, FitTo what);
 
 }  // namespace inkbench

@@ -127,23 +127,23 @@ void draw_probed(const Settings& drawn, const ProbedPixel& probed) {
 
 }  // namespace
 
-void draw_why(Workbench& bench) {
-  if (!bench.view.marked) {
+void draw_why(const Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map) {
+  if (!view.marked) {
     wrapped_text("Click a pixel to see why it is a line or not.", theme().faint);
     return;
   }
-  move_mark(bench, 0, 0);  // the image may be smaller now
-  const auto& [x, y] = *bench.view.marked;
+  move_mark(document, view, 0, 0);  // the image may be smaller now
+  const auto& [x, y] = *view.marked;
   ImGui::PushFont(fonts().bold);
   ImGui::Text("Why pixel %d, %d?", x, y);
   ImGui::PopFont();
-  bench.ui_map.mark_item("why");
-  const std::optional<Frame>& drawn = bench.drawn();
-  if (bench.problems().contains(ProblemKind::drawing) || !drawn) return;
+  ui_map.mark_item("why");
+  const std::optional<Frame>& drawn = viewer.drawn();
+  if (!viewer.can_draw() || !drawn) return;
   if (x >= drawn->settings().image.width || y >= drawn->settings().image.height)
     return;  // the larger image comes with the next frame
   try {
-    draw_probed(drawn->settings(), bench.probe.probe(*drawn, x, y));
+    draw_probed(drawn->settings(), viewer.probe.probe(*drawn, x, y));
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }

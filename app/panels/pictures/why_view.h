@@ -2,11 +2,14 @@
 // made of.
 #pragma once
 
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
+#include "app/window/view_state.h"
+#include "app/window/viewer.h"
+#include "app/workbench/document.h"
 
 namespace inkbench {
 
 /// Draws into the current ImGui window; nothing but a hint where no pixel is marked.
-void draw_why(Workbench& bench);
+void draw_why(const Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map);
 
 }  // namespace inkbench

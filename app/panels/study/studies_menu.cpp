@@ -12,12 +12,12 @@ namespace inkbench {
 namespace {
 
 /// A spec, or the folder of a study that ran.
-void open_path(Workbench& bench, const fs::path& path) {
+void open_path(Studies& studies, const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
-    bench.studies.open_folder(path);
+    studies.open_folder(path);
   } else {
-    bench.studies.open_spec(path);
+    studies.open_spec(path);
   }
 }
 
@@ -49,26 +49,24 @@ void StudiesMenu::read_bundled() {
   }
 }
 
-void StudiesMenu::draw_menu(Workbench& bench) {
+void StudiesMenu::draw_menu() {
   const bool open = ImGui::BeginMenu("Studies");
-  bench.ui_map.mark_item("menu:Studies");
+  ui_map_.mark_item("menu:Studies");
   if (!open) return;
-  Studies& studies = bench.studies;
-  if (menu_item(bench.ui_map, "Show the studies", "F3", studies.page_open))
-    studies.page_open = !studies.page_open;
-  if (menu_item(bench.ui_map, "New study")) attempt(bench, [&] { studies.new_form(bench.settings()); });
-  if (menu_item(bench.ui_map, "Open a spec or results..."))
+  Studies& studies = studies_;
+  if (menu_item(ui_map_, "Show the studies", "F3", studies.page_open)) studies.page_open = !studies.page_open;
+  if (menu_item(ui_map_, "New study")) attempt(problems_, [&] { studies.new_form(document_.settings()); });
+  if (menu_item(ui_map_, "Open a spec or results..."))
     question_.ask("Open a study", "A spec (.toml), or the folder of a study that ran.", "Open",
-                  [&bench](const std::string& path) { open_path(bench, path); });
+                  [this](const std::string& path) { open_path(studies_, path); });
   ImGui::Separator();
   read_bundled();
   for (const Folder& folder : *bundled_) {
     const bool below = ImGui::BeginMenu(folder.label.c_str());
-    bench.ui_map.mark_item("menu:" + folder.label);
+    ui_map_.mark_item("menu:" + folder.label);
     if (!below) continue;
     for (const Bundled& study : folder.studies) {
-      if (menu_item(bench.ui_map, study.title.c_str()))
-        attempt(bench, [&] { studies.open_spec(study.file); });
+      if (menu_item(ui_map_, study.title.c_str())) attempt(problems_, [&] { studies.open_spec(study.file); });
       help_for_item(study.purpose);
     }
     ImGui::EndMenu();

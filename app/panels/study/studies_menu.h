@@ -7,16 +7,29 @@
 #include <vector>
 
 #include "app/panels/widgets/file_question.h"
-#include "app/window/workbench.h"
+#include "app/window/studies.h"
+#include "app/window/ui_map.h"
+#include "app/window/window_requests.h"
+#include "app/workbench/document.h"
+#include "app/workbench/problems.h"
 
 namespace inkbench {
 
 class StudiesMenu {
  public:
+  /// All must outlive it.
+  StudiesMenu(const Document& document, Studies& studies, Problems& problems, WindowRequests& requests,
+              UiMap& ui_map)
+      : document_(document),
+        studies_(studies),
+        problems_(problems),
+        ui_map_(ui_map),
+        question_(problems, requests, ui_map) {}
+
   /// Between BeginMainMenuBar and EndMainMenuBar.
-  void draw_menu(Workbench& bench);
+  void draw_menu();
   /// The question for a path, when it was asked for.
-  void draw_question(Workbench& bench) { question_.draw(bench); }
+  void draw_question() { question_.draw(); }
 
  private:
   struct Bundled {
@@ -29,6 +42,10 @@ class StudiesMenu {
   };
   void read_bundled();
 
+  const Document& document_;
+  Studies& studies_;
+  Problems& problems_;
+  UiMap& ui_map_;
   std::optional<std::vector<Folder>> bundled_;
   FileQuestion question_;
 };

@@ -15,34 +15,34 @@ namespace {
 constexpr double kFollowSeconds = 0.2;
 constexpr float kListWidth = 214;
 
-void close_button(Workbench& bench) {
+void close_button(Studies& studies, UiMap& ui_map) {
   const char* label = "Back to the pictures";
   const float width = button_width(label);
   const ImVec2 window = ImGui::GetWindowPos();
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({window.x + ImGui::GetWindowWidth() - width - scaled(4), window.y + scaled(1)});
   ImGui::PushStyleColor(ImGuiCol_Button, theme().bar);
-  if (ImGui::Button(label)) bench.studies.page_open = false;
+  if (ImGui::Button(label)) studies.page_open = false;
   ImGui::PopStyleColor();
-  bench.ui_map.mark_item("close studies");
+  ui_map.mark_item("close studies");
   help_for_item("Esc or F3. Studies go on meanwhile.");
   ImGui::SetCursorScreenPos(after);
 }
 
 }  // namespace
 
-void follow_studies(Workbench& bench) {
-  bench.studies.poll();
-  for (const Studies::Message& message : bench.studies.take_messages())
-    bench.tell(message.is_problem ? Severity::error : Severity::note, message.text);
-  if (bench.studies.is_busy()) bench.wake_in(kFollowSeconds);
+void follow_studies(Studies& studies, Problems& problems, WindowRequests& requests) {
+  studies.poll();
+  for (const Studies::Message& message : studies.take_messages())
+    problems.tell(message.is_problem ? Severity::error : Severity::note, message.text);
+  if (studies.is_busy()) requests.wake_in(kFollowSeconds);
 }
 
-void StudiesPage::draw(Workbench& bench) {
+void StudiesPage::draw() {
   panel_heading("Studies");
-  close_button(bench);
+  close_button(studies_, ui_map_);
   ImGui::BeginChild("studies", {scaled(kListWidth), 0}, false, ImGuiWindowFlags_NoBackground);
-  draw_study_list(bench);
+  draw_study_list(document_, studies_, problems_, ui_map_);
   ImGui::EndChild();
   ImGui::SameLine(0, scaled(6));
   const ImVec2 top = ImGui::GetCursorScreenPos();
@@ -53,11 +53,11 @@ void StudiesPage::draw(Workbench& bench) {
   ImGui::BeginChild(
       "study", {0, 0}, false,
       ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
-  draw_banner(bench);
-  if (bench.studies.shows_form()) {
-    form_.draw(bench);
+  draw_banner(viewer_, problems_, ui_map_);
+  if (studies_.shows_form()) {
+    form_.draw();
   } else {
-    results_.draw(bench);
+    results_.draw();
   }
   ImGui::EndChild();
 }

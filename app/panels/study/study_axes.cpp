@@ -44,48 +44,48 @@ double decimal(double value) {
   return std::strtod(shortest(static_cast<float>(value)).c_str(), nullptr);
 }
 
-void end_bar(Workbench& bench, const std::string& id, const char* help, const Field& field, double& value,
+void end_bar(UiMap& ui_map, const std::string& id, const char* help, const Field& field, double& value,
              float width) {
   const double next = number_of(value_bar(id.c_str(), value, field, width), value);
   if (next != value) value = field.type == FieldType::integer ? std::round(next) : decimal(next);
-  bench.ui_map.mark_item(id);
+  ui_map.mark_item(id);
   help_for_item(help);
 }
 
-void scale_choice(Workbench& bench, SweepAxis& axis, const std::string& id) {
+void scale_choice(UiMap& ui_map, SweepAxis& axis, const std::string& id) {
   const bool log = axis.scale == Scale::log;
   if (toggle_button("Log", log, "Each value is a multiple of the one before.")) axis.scale = Scale::log;
-  bench.ui_map.mark_item(id + " log");
+  ui_map.mark_item(id + " log");
   ImGui::SameLine(0, 2);
   if (toggle_button("Linear", !log, "Equal steps.")) axis.scale = Scale::linear;
-  bench.ui_map.mark_item(id + " linear");
+  ui_map.mark_item(id + " linear");
 }
 
-void range_editor(Workbench& bench, SweepAxis& axis, const Field& field, const std::string& id) {
+void range_editor(UiMap& ui_map, SweepAxis& axis, const Field& field, const std::string& id) {
   const float gap = scaled(4);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float scale_width = ImGui::CalcTextSize("LogLinear").x + 4 * style.FramePadding.x + 2 +
                             ImGui::CalcTextSize("in").x + 3 * gap;
   const float room = ImGui::GetContentRegionAvail().x - scale_width - 2 * gap - ImGui::CalcTextSize("to").x;
   const float width = std::floor((room - scaled(52)) / 2);
-  end_bar(bench, id + " from", "The first value.", field, axis.from, width);
+  end_bar(ui_map, id + " from", "The first value.", field, axis.from, width);
   ImGui::SameLine(0, gap);
   ImGui::AlignTextToFramePadding();
   faint_text("to");
   ImGui::SameLine(0, gap);
-  end_bar(bench, id + " to", "The last value.", field, axis.to, width);
+  end_bar(ui_map, id + " to", "The last value.", field, axis.to, width);
   ImGui::SameLine(0, gap);
   faint_text("in");
   ImGui::SameLine(0, gap);
   double count = axis.count;
-  end_bar(bench, id + " count", "How many values.", count_field(), count, scaled(48));
+  end_bar(ui_map, id + " count", "How many values.", count_field(), count, scaled(48));
   axis.count = static_cast<int>(std::clamp(count, 1.0, static_cast<double>(kMostCount)));
   ImGui::SameLine(0, gap);
-  scale_choice(bench, axis, id);
+  scale_choice(ui_map, axis, id);
 }
 
 /// All values of a choice, each to be taken or not; one stays.
-void values_editor(Workbench& bench, SweepAxis& axis, const Field& field, const std::string& id) {
+void values_editor(UiMap& ui_map, SweepAxis& axis, const Field& field, const std::string& id) {
   std::vector<Value> all;
   if (field.type == FieldType::boolean) all = {Value(false), Value(true)};
   for (const std::string_view choice : field.choices) all.emplace_back(std::string(choice));
@@ -104,7 +104,7 @@ void values_editor(Workbench& bench, SweepAxis& axis, const Field& field, const 
       }
       if (!next.empty()) axis.values = next;
     }
-    bench.ui_map.mark_item(id + "=" + text);
+    ui_map.mark_item(id + "=" + text);
   }
 }
 
@@ -122,7 +122,7 @@ std::string values_text(const CheckedForm& checked, const std::string& key) {
 }
 
 /// Returns whether the axis is to go.
-bool axis_head(Workbench& bench, const SweepAxis& axis, size_t index, bool can_turn) {
+bool axis_head(UiMap& ui_map, const SweepAxis& axis, size_t index, bool can_turn) {
   faint_text(kPlaces[std::min(index, kPlaces.size() - 1)]);
   ImGui::SameLine(scaled(66));
   ImGui::PushFont(fonts().bold);
@@ -133,18 +133,19 @@ bool axis_head(Workbench& bench, const SweepAxis& axis, size_t index, bool can_t
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
   const bool gone = ImGui::SmallButton("✕");
   ImGui::PopStyleColor();
-  bench.ui_map.mark_item("remove axis " + std::to_string(index));
+  ui_map.mark_item("remove axis " + std::to_string(index));
   help_for_item(can_turn ? "Take this axis off; the next one takes its place." : "Take this axis off.");
   return gone;
 }
 
-void add_axis_combo(Workbench& bench, const StudyForm& form) {
+void add_axis_combo(const Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
+                    const StudyForm& form) {
   static std::string search;
   const bool first = form.request.axes.empty();
   ImGui::SetNextItemWidth(first ? -1 : scaled(190));
   const bool open = ImGui::BeginCombo("##add axis", first ? "Choose a parameter to sweep" : "Add a parameter",
                                       ImGuiComboFlags_HeightLarge);
-  bench.ui_map.mark_item("add axis");
+  ui_map.mark_item("add axis");
   if (!open) return;
   if (ImGui::IsWindowAppearing()) {
     search.clear();
@@ -152,41 +153,42 @@ void add_axis_combo(Workbench& bench, const StudyForm& form) {
   }
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##find", "Search", &search);
-  for (const std::string& key : sweepable_keys(bench.settings())) {
+  for (const std::string& key : sweepable_keys(document.settings())) {
     const auto taken = std::any_of(form.request.axes.begin(), form.request.axes.end(),
                                    [&](const SweepAxis& axis) { return axis.key == key; });
     if (taken || key.find(search) == std::string::npos) continue;
     if (ImGui::Selectable(key.c_str()))
-      attempt(bench, [&] { bench.studies.add_axis(bench.settings(), key); });
-    bench.ui_map.mark_item("axis:" + key);
+      attempt(problems, [&] { studies.add_axis(document.settings(), key); });
+    ui_map.mark_item("axis:" + key);
   }
   ImGui::EndCombo();
 }
 
 }  // namespace
 
-void draw_study_axes(Workbench& bench, StudyForm& form, const CheckedForm& checked) {
+void draw_study_axes(const Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
+                     StudyForm& form, const CheckedForm& checked) {
   std::vector<SweepAxis>& axes = form.request.axes;
-  Settings settings = bench.settings();
+  Settings settings = document.settings();
   std::optional<size_t> gone;
   for (size_t i = 0; i < axes.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     const std::string id = "axis " + std::to_string(i);
-    if (axis_head(bench, axes[i], i, i + 1 < axes.size())) gone = i;
+    if (axis_head(ui_map, axes[i], i, i + 1 < axes.size())) gone = i;
     if (has_param(settings, axes[i].key)) {
       const Field& field = *find_param(settings, axes[i].key, "").field;
       if (axes[i].values.empty()) {
-        range_editor(bench, axes[i], field, id);
+        range_editor(ui_map, axes[i], field, id);
         fitted_text(values_text(checked, axes[i].key), ImGui::GetContentRegionAvail().x, theme().faint);
       } else {
-        values_editor(bench, axes[i], field, id);
+        values_editor(ui_map, axes[i], field, id);
       }
     }
     ImGui::Dummy({0, scaled(4)});
     ImGui::PopID();
   }
   if (gone) axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(*gone));
-  if (axes.size() < kPlaces.size()) add_axis_combo(bench, form);
+  if (axes.size() < kPlaces.size()) add_axis_combo(document, studies, problems, ui_map, form);
 }
 
 }  // namespace inkbench

@@ -23,7 +23,7 @@ void zoom_by_wheel(float& zoom) {
 }
 
 /// Returns whether it was clicked.
-bool draw_chart(Workbench& bench, const DrawnChart& chart, float width, Thumbnails& thumbnails) {
+bool draw_chart(UiMap& ui_map, const DrawnChart& chart, float width, Thumbnails& thumbnails) {
   const bool is_near = ImGui::IsRectVisible({width, width / kUsualAspect});
   const int width_px = static_cast<int>(width);
   const Texture* texture =
@@ -39,7 +39,7 @@ bool draw_chart(Workbench& bench, const DrawnChart& chart, float width, Thumbnai
   }
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const bool clicked = ImGui::InvisibleButton(chart.name.c_str(), {width, height});
-  bench.ui_map.mark_item("chart:" + chart.name);
+  ui_map.mark_item("chart:" + chart.name);
   help_for_item("Click shows it as SVG in the program that your desktop has for it.");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (texture == nullptr) list.AddRectFilled(low, {low.x + width, low.y + height}, theme().field);
@@ -50,7 +50,7 @@ bool draw_chart(Workbench& bench, const DrawnChart& chart, float width, Thumbnai
 
 }  // namespace
 
-std::filesystem::path draw_study_charts(Workbench& bench, const std::vector<DrawnChart>& charts, float& zoom,
+std::filesystem::path draw_study_charts(UiMap& ui_map, const std::vector<DrawnChart>& charts, float& zoom,
                                         Thumbnails& thumbnails) {
   std::filesystem::path clicked;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
@@ -60,7 +60,7 @@ std::filesystem::path draw_study_charts(Workbench& bench, const std::vector<Draw
   zoom_by_wheel(zoom);
   const float room = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize - scaled(2);
   for (const DrawnChart& chart : charts) {
-    if (draw_chart(bench, chart, std::floor(room * zoom), thumbnails)) clicked = chart.svg;
+    if (draw_chart(ui_map, chart, std::floor(room * zoom), thumbnails)) clicked = chart.svg;
     ImGui::Dummy({0, scaled(6)});
   }
   ImGui::EndChild();

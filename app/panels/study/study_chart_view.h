@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "app/window/thumbnails.h"
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
 #include "studies/sweep/study_charts.h"
 
 namespace inkbench {
 
 /// Draws into the rest of the current ImGui window. `zoom`: 1 is as wide as the room; Ctrl and the wheel
 /// change it. Returns the file to open of the chart that was clicked; empty without one.
-std::filesystem::path draw_study_charts(Workbench& bench, const std::vector<DrawnChart>& charts, float& zoom,
+std::filesystem::path draw_study_charts(UiMap& ui_map, const std::vector<DrawnChart>& charts, float& zoom,
                                         Thumbnails& thumbnails);
 
 /// How far charts are enlarged at most.

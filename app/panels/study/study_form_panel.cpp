@@ -38,7 +38,7 @@ void bold(const std::string& text) {
   ImGui::PopFont();
 }
 
-void show_row(Workbench& bench, StudyForm& form) {
+void show_row(UiMap& ui_map, StudyForm& form) {
   row_name("Show");
   const float left = ImGui::GetCursorPosX();
   std::vector<BufferName>& show = form.request.show;
@@ -65,27 +65,27 @@ void show_row(Workbench& bench, StudyForm& form) {
         show.erase(place);
       }
     }
-    bench.ui_map.mark_item("show:" + name);
+    ui_map.mark_item("show:" + name);
   }
 }
 
-void measure_row(Workbench& bench, StudyForm& form) {
+void measure_row(UiMap& ui_map, StudyForm& form) {
   row_name("Measure");
   bool on = !form.request.measures.empty();
   if (ImGui::Checkbox("##measure", &on))
     form.request.measures = on ? known_measures() : std::vector<std::string>();
-  bench.ui_map.mark_item("measure");
+  ui_map.mark_item("measure");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   faint_text("the lines against the reference lines");
 }
 
 /// Sizes from the parameter's own description.
-void side_bar(Workbench& bench, const char* key, int& side, float width) {
-  Settings settings = bench.settings();
+void side_bar(const Document& document, UiMap& ui_map, const char* key, int& side, float width) {
+  Settings settings = document.settings();
   const Field& field = *find_param(settings, key, "").field;
   const BarResult bar = value_bar(key, side, field, width);
-  bench.ui_map.mark_item(std::string("study:") + key);
+  ui_map.mark_item(std::string("study:") + key);
   if (bar.dragged) side = static_cast<int>(bar.value);
   if (!bar.typed.empty()) {
     const double typed = std::strtod(bar.typed.c_str(), nullptr);
@@ -94,14 +94,14 @@ void side_bar(Workbench& bench, const char* key, int& side, float width) {
   help_for_item(field.help);
 }
 
-void size_row(Workbench& bench, StudyForm& form) {
+void size_row(const Document& document, UiMap& ui_map, StudyForm& form) {
   row_name("Size");
-  const ImageParams& image = bench.settings().image;
-  side_bar(bench, "image.width", form.width_px, scaled(74));
+  const ImageParams& image = document.settings().image;
+  side_bar(document, ui_map, "image.width", form.width_px, scaled(74));
   ImGui::SameLine(0, scaled(4));
   faint_text("×");
   ImGui::SameLine(0, scaled(4));
-  side_bar(bench, "image.height", form.height_px, scaled(74));
+  side_bar(document, ui_map, "image.height", form.height_px, scaled(74));
   ImGui::SameLine(0, scaled(8));
   for (const auto& [label, share] : {std::pair{"1:2", 2}, {"1:1", 1}}) {
     const int width = std::max(1, image.width / share), height = std::max(1, image.height / share);
@@ -111,33 +111,30 @@ void size_row(Workbench& bench, StudyForm& form) {
       form.width_px = width;
       form.height_px = height;
     }
-    bench.ui_map.mark_item(std::string("size ") + label);
+    ui_map.mark_item(std::string("size ") + label);
     ImGui::SameLine(0, 2);
   }
   ImGui::NewLine();
 }
 
-void text_row(Workbench& bench, const char* name, std::string& text, const std::string& hint) {
+void text_row(UiMap& ui_map, const char* name, std::string& text, const std::string& hint) {
   row_name(name);
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint((std::string("##") + name).c_str(), hint.c_str(), &text);
-  bench.ui_map.mark_item(std::string("study ") + name);
+  ui_map.mark_item(std::string("study ") + name);
 }
 
-void place_rows(Workbench& bench, StudyForm& form, const CheckedForm& shown) {
-  text_row(bench, "Name", form.name, shown.draft.path.stem().string());
+void place_rows(UiMap& ui_map, StudyForm& form, const CheckedForm& shown) {
+  text_row(ui_map, "Name", form.name, shown.draft.path.stem().string());
   std::string folder = form.folder.string();
-  text_row(bench, "Folder", folder, "");
+  text_row(ui_map, "Folder", folder, "");
   form.folder = folder;
 }
 
 /// The window's own passes, for a pixel.
-double pass_seconds_per_pixel(const Workbench& bench) {
-  double ms = 0;
-  for (const std::string& name : bench.pictures.pipeline().pass_names())
-    ms += bench.timer.time_of(name).mean_ms;
-  const ImageParams& image = bench.settings().image;
-  return ms * 1e-3 / (static_cast<double>(image.width) * image.height);
+double pass_seconds_per_pixel(const Document& document, const PassTimer& timer) {
+  const ImageParams& image = document.settings().image;
+  return timer.mean_ms() * 1e-3 / (static_cast<double>(image.width) * image.height);
 }
 
 constexpr double kLongSeconds = 3600;
@@ -172,20 +169,20 @@ bool accent_button(const char* label) {
   return pressed;
 }
 
-void save_button(Workbench& bench, const CheckedForm& checked) {
+void save_button(Studies& studies, Problems& problems, UiMap& ui_map, const CheckedForm& checked) {
   const std::filesystem::path path = checked.draft.path;
   const bool saves = ImGui::Button("Save the spec");
-  bench.ui_map.mark_item("save spec");
+  ui_map.mark_item("save spec");
   help_for_item(path_text(path));
   if (checked.spec && checked.is_saved) {
     ImGui::SameLine();
     faint_text("saved");
   }
-  if (saves && attempt(bench, [&] { bench.studies.save(); }))
-    bench.tell(Severity::note, "saved " + path.string());
+  if (saves && attempt(problems, [&] { studies.save(); }))
+    problems.tell(Severity::note, "saved " + path.string());
 }
 
-void empty_page(Workbench& bench) {
+void empty_page(const Document& document, Studies& studies, Problems& problems) {
   bold("Nothing to run yet");
   ImGui::PushTextWrapPos(0);
   faint_text(
@@ -194,11 +191,12 @@ void empty_page(Workbench& bench) {
       "mouse button on a parameter's name, or with S while the mouse is on it.");
   ImGui::PopTextWrapPos();
   ImGui::Dummy({0, scaled(4)});
-  if (ImGui::Button("New study")) attempt(bench, [&] { bench.studies.new_form(bench.settings()); });
+  if (ImGui::Button("New study")) attempt(problems, [&] { studies.new_form(document.settings()); });
 }
 
 /// `shown`: the names that are made from the axes, while `checked` has none.
-void draw_fields(Workbench& bench, StudyForm& form, const CheckedForm& checked, const CheckedForm& shown) {
+void draw_fields(const Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
+                 StudyForm& form, const CheckedForm& checked, const CheckedForm& shown) {
   if (form.own_text) {
     bold(form.source.empty() ? "A spec of your own" : form.source.filename().string());
     ImGui::PushTextWrapPos(0);
@@ -208,24 +206,24 @@ void draw_fields(Workbench& bench, StudyForm& form, const CheckedForm& checked, 
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, scaled(6)});
   } else {
-    draw_study_axes(bench, form, checked);
+    draw_study_axes(document, studies, problems, ui_map, form, checked);
     ImGui::Dummy({0, scaled(4)});
-    show_row(bench, form);
-    measure_row(bench, form);
-    size_row(bench, form);
-    text_row(bench, "Title", form.request.title, shown.spec ? shown.spec->title : "");
+    show_row(ui_map, form);
+    measure_row(ui_map, form);
+    size_row(document, ui_map, form);
+    text_row(ui_map, "Title", form.request.title, shown.spec ? shown.spec->title : "");
   }
-  place_rows(bench, form, shown);
+  place_rows(ui_map, form, shown);
 }
 
 }  // namespace
 
-void StudyFormPanel::plan_lines(Workbench& bench, const CheckedForm& checked) {
+void StudyFormPanel::plan_lines(const CheckedForm& checked) {
   large_.clear();
   ImGui::PushTextWrapPos(0);
   if (checked.spec) {
     std::string text = plan_text(*checked.spec);
-    const double seconds = bench.studies.estimated_seconds(pass_seconds_per_pixel(bench));
+    const double seconds = studies_.estimated_seconds(pass_seconds_per_pixel(document_, timer_));
     large_ = too_large(checked, seconds);
     if (seconds >= 0) text += ", about " + duration_text(seconds);
     coloured_text(large_.empty() ? theme().text : theme().warning, text);
@@ -237,29 +235,29 @@ void StudyFormPanel::plan_lines(Workbench& bench, const CheckedForm& checked) {
 }
 
 /// A large study is asked about; a change of it takes the question back.
-void StudyFormPanel::run_buttons(Workbench& bench, const CheckedForm& checked) {
+void StudyFormPanel::run_buttons(const CheckedForm& checked) {
   const bool can_run = checked.spec.has_value();
   const bool asks = can_run && !large_.empty() && asked_about_ == checked.draft.text;
   if (!asks) asked_about_.clear();
   if (asks) wrapped_text(large_ + " Run it all the same?", theme().warning);
   ImGui::BeginDisabled(!can_run);
   const bool pressed = accent_button("Run");
-  bench.ui_map.mark_item("run study");
-  help_for_item(bench.studies.is_busy() ? "After those that run already."
-                                        : "In the background; the window stays usable.");
+  ui_map_.mark_item("run study");
+  help_for_item(studies_.is_busy() ? "After those that run already."
+                                   : "In the background; the window stays usable.");
   ImGui::SameLine();
   if (asks) {
     if (ImGui::Button("Do not run")) asked_about_.clear();
-    bench.ui_map.mark_item("do not run");
+    ui_map_.mark_item("do not run");
     ImGui::SameLine();
   }
-  save_button(bench, checked);
+  save_button(studies_, problems_, ui_map_, checked);
   ImGui::EndDisabled();
   const bool answers = ImGui::GetIO().MouseClickedLastCount[0] < 2;  // a double click is one press
   if (!pressed || (asks && !answers)) return;
   const bool asks_now = !large_.empty() && !asks;
   asked_about_ = asks_now ? checked.draft.text : "";
-  if (!asks_now) attempt(bench, [&] { bench.studies.run(); });
+  if (!asks_now) attempt(problems_, [&] { studies_.run(); });
 }
 
 void StudyFormPanel::remember(const StudyForm& form, const CheckedForm& checked) {
@@ -274,39 +272,39 @@ const CheckedForm& StudyFormPanel::shown(const StudyForm& form, const CheckedFor
 }
 
 /// Fields scroll where they do not fit; what runs them stays in sight.
-void StudyFormPanel::draw_form(Workbench& bench, const CheckedForm& checked) {
+void StudyFormPanel::draw_form(const CheckedForm& checked) {
   const float foot = ImGui::GetContentRegionAvail().y - foot_height_;
   ImGui::BeginChild("fields", {0, std::max(std::min(fields_height_, foot), scaled(40))}, false,
                     ImGuiWindowFlags_NoBackground);
-  StudyForm& form = *bench.studies.form();
-  draw_fields(bench, form, checked, shown(form, checked));
+  StudyForm& form = *studies_.form();
+  draw_fields(document_, studies_, problems_, ui_map_, form, checked, shown(form, checked));
   const float fields = ImGui::GetCursorPosY();
   ImGui::EndChild();
   const float top = ImGui::GetCursorPosY();
-  plan_lines(bench, checked);
+  plan_lines(checked);
   ImGui::Dummy({0, scaled(4)});
-  run_buttons(bench, checked);
+  run_buttons(checked);
   const float height = ImGui::GetCursorPosY() - top + scaled(4);
-  if (fields != fields_height_ || height != foot_height_) bench.wake_in(0);
+  if (fields != fields_height_ || height != foot_height_) requests_.wake_in(0);
   fields_height_ = fields;
   foot_height_ = height;
 }
 
 /// Typing in the text makes it a spec written by hand.
-void StudyFormPanel::draw_spec(Workbench& bench, const CheckedForm& checked) {
-  StudyForm& form = *bench.studies.form();
+void StudyFormPanel::draw_spec(const CheckedForm& checked) {
+  StudyForm& form = *studies_.form();
   ImGui::AlignTextToFramePadding();
   bold("Spec");
   const float width = ImGui::CalcTextSize("Copy").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
   std::string text = form.own_text ? *form.own_text : shown(form, checked).draft.text;
   if (ImGui::Button("Copy")) ImGui::SetClipboardText(text.c_str());
-  bench.ui_map.mark_item("copy spec");
+  ui_map_.mark_item("copy spec");
   ImGui::PushFont(fonts().fixed);
   const float foot = ImGui::GetTextLineHeight() + scaled(10);
   if (ImGui::InputTextMultiline("##spec", &text, {-1, ImGui::GetContentRegionAvail().y - foot}))
     form.own_text = text;
-  bench.ui_map.mark_item("spec text");
+  ui_map_.mark_item("spec text");
   ImGui::PopFont();
   if (!form.own_text) {
     fitted_text("Typing here replaces the form.", ImGui::GetContentRegionAvail().x, theme().faint);
@@ -315,18 +313,18 @@ void StudyFormPanel::draw_spec(Workbench& bench, const CheckedForm& checked) {
     const bool back =
         ImGui::Selectable("Back to the form", false, 0, {ImGui::CalcTextSize("Back to the form").x, 0});
     ImGui::PopStyleColor();
-    bench.ui_map.mark_item("back to the form");
+    ui_map_.mark_item("back to the form");
     if (back) form.own_text.reset();
   } else {
     fitted_text("Changes are saved under the name.", ImGui::GetContentRegionAvail().x, theme().faint);
   }
 }
 
-void StudyFormPanel::draw(Workbench& bench) {
-  Studies& studies = bench.studies;
-  if (studies.form() == nullptr) return empty_page(bench);
-  const CheckedForm& checked = studies.checked(bench.settings(), bench.scene(), !bench.is_editing());
-  remember(*studies.form(), checked);
+void StudyFormPanel::draw() {
+  if (studies_.form() == nullptr) return empty_page(document_, studies_, problems_);
+  const CheckedForm& checked =
+      studies_.checked(document_.settings(), document_.scene(), !document_.is_editing());
+  remember(*studies_.form(), checked);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = scaled(20);
   const float left = std::clamp(std::floor(room.x * 0.55F), scaled(330), scaled(520));
@@ -334,12 +332,12 @@ void StudyFormPanel::draw(Workbench& bench) {
   ImGui::BeginChild(
       "form", {beside ? left : 0, 0}, false,
       ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_form(bench, checked);
+  draw_form(checked);
   ImGui::EndChild();
-  if (!beside || studies.form() == nullptr || !studies.shows_form()) return;
+  if (!beside || studies_.form() == nullptr || !studies_.shows_form()) return;
   ImGui::SameLine(0, gap);
   ImGui::BeginChild("spec", {0, 0}, false, ImGuiWindowFlags_NoBackground);
-  draw_spec(bench, checked);
+  draw_spec(checked);
   ImGui::EndChild();
 }
 

@@ -56,8 +56,9 @@ void draw_centred(ImDrawList& list, ImVec2 low, float width, ImU32 colour, const
 
 class GridView {
  public:
-  GridView(Workbench& bench, const StudyResults& results, GridChoice& choice, Thumbnails& thumbnails)
-      : bench_(bench), results_(results), choice_(choice), thumbnails_(thumbnails) {}
+  GridView(const Document& document, UiMap& ui_map, const StudyResults& results, GridChoice& choice,
+           Thumbnails& thumbnails)
+      : document_(document), ui_map_(ui_map), results_(results), choice_(choice), thumbnails_(thumbnails) {}
 
   GridMouse draw() {
     room_ = ImGui::GetContentRegionAvail();
@@ -124,7 +125,7 @@ class GridView {
     ImGui::SetCursorScreenPos(low);
     ImGui::PushID(static_cast<int>(cell));
     const bool pressed = ImGui::InvisibleButton("cell", plan_.cell);
-    bench_.ui_map.mark_item("cell:" + std::to_string(cell + 1));
+    ui_map_.mark_item("cell:" + std::to_string(cell + 1));
     const bool hot = ImGui::IsItemHovered();
     if (pressed && results_.has(cell)) mouse_.clicked = cell;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) mouse_.menu = cell;
@@ -146,7 +147,7 @@ class GridView {
       draw_centred(list, {low.x, high.y + scaled(1)}, plan_.cell.x, theme().text,
                    short_number(results_.number(cell, *choice_.number)));
     if (hot)
-      draw_cell_tooltip(results_, cell, choice_.picture, thumbnails_, plan_.cell, bench_.settings().image);
+      draw_cell_tooltip(results_, cell, choice_.picture, thumbnails_, plan_.cell, document_.settings().image);
     ImGui::PopID();
   }
 
@@ -186,7 +187,8 @@ class GridView {
     draw_fitted_text(list, {left + room - own, top + plan_.value_height}, room, theme().text, rows.label);
   }
 
-  Workbench& bench_;
+  const Document& document_;
+  UiMap& ui_map_;
   const StudyResults& results_;
   GridChoice& choice_;
   Thumbnails& thumbnails_;
@@ -198,9 +200,9 @@ class GridView {
 
 }  // namespace
 
-GridMouse draw_study_grid(Workbench& bench, const StudyResults& results, GridChoice& choice,
-                          Thumbnails& thumbnails) {
-  return GridView(bench, results, choice, thumbnails).draw();
+GridMouse draw_study_grid(const Document& document, UiMap& ui_map, const StudyResults& results,
+                          GridChoice& choice, Thumbnails& thumbnails) {
+  return GridView(document, ui_map, results, choice, thumbnails).draw();
 }
 
 }  // namespace inkbench

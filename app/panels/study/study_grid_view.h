@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "app/panels/study/study_grid_plan.h"
-#include "app/window/studies.h"
 #include "app/window/thumbnails.h"
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
+#include "app/workbench/document.h"
 
 namespace inkbench {
 
@@ -20,7 +20,7 @@ struct GridMouse {
 };
 
 /// Draws into the rest of the current ImGui window; only cells in sight are read and drawn.
-GridMouse draw_study_grid(Workbench& bench, const StudyResults& results, GridChoice& choice,
-                          Thumbnails& thumbnails);
+GridMouse draw_study_grid(const Document& document, UiMap& ui_map, const StudyResults& results,
+                          GridChoice& choice, Thumbnails& thumbnails);
 
 }  // namespace inkbench

@@ -47,34 +47,32 @@ void draw_progress(const ListedStudy& study, ImVec2 low, float width) {
                        height / 2);
 }
 
-void entry_menu(Workbench& bench, const ListedStudy& entry) {
+void entry_menu(Studies& studies, Problems& problems, const ListedStudy& entry) {
   if (!ImGui::BeginPopupContextItem("study menu")) return;
-  Studies& studies = bench.studies;
   const bool over = entry.state >= StudyState::finished;
   if (!over && ImGui::MenuItem(entry.state == StudyState::stopping ? "Stop at once" : "Stop"))
     studies.cancel(entry.study);
   if (over && ImGui::MenuItem(entry.state == StudyState::finished ? "Run again" : "Continue"))
-    attempt(bench, [&] { studies.resume(entry.study); });
-  if (ImGui::MenuItem("Open the spec")) attempt(bench, [&] { studies.open_spec(entry.study.spec); });
+    attempt(problems, [&] { studies.resume(entry.study); });
+  if (ImGui::MenuItem("Open the spec")) attempt(problems, [&] { studies.open_spec(entry.study.spec); });
   if (ImGui::MenuItem("Copy the folder's path")) ImGui::SetClipboardText(entry.study.folder.c_str());
   ImGui::Separator();
   if (ImGui::MenuItem("Take off this list", nullptr, false, over))
-    attempt(bench, [&] { studies.forget(entry.study); });
+    attempt(problems, [&] { studies.forget(entry.study); });
   help_for_item("The files stay.");
   ImGui::EndPopup();
 }
 
-void draw_entry(Workbench& bench, const ListedStudy& entry, int index) {
+void draw_entry(Studies& studies, Problems& problems, UiMap& ui_map, const ListedStudy& entry, int index) {
   ImGui::PushID(index);
   const float pad = scaled(8), line = ImGui::GetTextLineHeight();
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = 3 * line + scaled(20);
-  if (ImGui::InvisibleButton("entry", {width, height}))
-    attempt(bench, [&] { bench.studies.show(entry.study); });
-  bench.ui_map.mark_item("study:" + entry.study.folder.filename().string());
-  const auto& shown = bench.studies.shown();
-  const bool selected = !bench.studies.shows_form() && shown && shown->folder == entry.study.folder;
+  if (ImGui::InvisibleButton("entry", {width, height})) attempt(problems, [&] { studies.show(entry.study); });
+  ui_map.mark_item("study:" + entry.study.folder.filename().string());
+  const auto& shown = studies.shown();
+  const bool selected = !studies.shows_form() && shown && shown->folder == entry.study.folder;
   const bool hot = ImGui::IsItemHovered();
   help_for_item(path_text(entry.study.folder));
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -89,7 +87,7 @@ void draw_entry(Workbench& bench, const ListedStudy& entry, int index) {
   const ImU32 colour = selected && colour_of(entry) == theme().faint ? theme().text : colour_of(entry);
   draw_fitted_text(list, {low.x + pad, low.y + scaled(9) + 2 * line}, inner, colour, state_text(entry));
   draw_progress(entry, {low.x + pad, low.y + height - scaled(6)}, inner);
-  entry_menu(bench, entry);
+  entry_menu(studies, problems, entry);
   ImGui::PopID();
 }
 
@@ -114,18 +112,17 @@ std::string state_text(const ListedStudy& study) {
   return "";
 }
 
-void draw_study_list(Workbench& bench) {
-  Studies& studies = bench.studies;
+void draw_study_list(const Document& document, Studies& studies, Problems& problems, UiMap& ui_map) {
   if (toggle_button("New study",
                     studies.shows_form() && studies.form() != nullptr && !studies.form()->own_text))
-    attempt(bench,
-            [&] { studies.form() == nullptr ? studies.new_form(bench.settings()) : studies.show_form(); });
-  bench.ui_map.mark_item("new study");
+    attempt(problems,
+            [&] { studies.form() == nullptr ? studies.new_form(document.settings()) : studies.show_form(); });
+  ui_map.mark_item("new study");
   ImGui::Dummy({0, scaled(2)});
   const std::vector<ListedStudy> list = studies.list();
   for (size_t i = 0; i < list.size(); ++i) {
     // What an entry does may change the list that its job is in.
-    draw_entry(bench, list[i], static_cast<int>(i));
+    draw_entry(studies, problems, ui_map, list[i], static_cast<int>(i));
     if (studies.list().size() != list.size()) return;
   }
   if (!list.empty()) return;

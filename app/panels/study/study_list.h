@@ -3,12 +3,15 @@
 
 #include <string>
 
-#include "app/window/workbench.h"
+#include "app/window/studies.h"
+#include "app/window/ui_map.h"
+#include "app/workbench/document.h"
+#include "app/workbench/problems.h"
 
 namespace inkbench {
 
 /// Draws into the current ImGui window.
-void draw_study_list(Workbench& bench);
+void draw_study_list(const Document& document, Studies& studies, Problems& problems, UiMap& ui_map);
 
 /// "12 of 49 cells, 3 s left", "stopped after 12 of 49 cells": how far it is.
 std::string state_text(const ListedStudy& study);

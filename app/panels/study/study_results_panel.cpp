@@ -45,26 +45,26 @@ std::filesystem::path page_of(const std::filesystem::path& folder) {
   return folder;
 }
 
-void open_page(Workbench& bench, const std::filesystem::path& path) {
-  if (attempt(bench, [&] { open_outside(path); })) bench.tell(Severity::note, "opened " + path.string());
+void open_page(Problems& problems, const std::filesystem::path& path) {
+  if (attempt(problems, [&] { open_outside(path); }))
+    problems.tell(Severity::note, "opened " + path.string());
 }
 
 }  // namespace
 
 /// Pictures of another study, or of a new run of it, are other ones.
-void StudyResultsPanel::follow_results(const Studies& studies) {
-  if (folder_ != studies.shown()->folder) {
+void StudyResultsPanel::follow_results() {
+  if (folder_ != studies_.shown()->folder) {
     choice_ = {};
     wants_charts_ = false;
     chart_zoom_ = 1.0F;
   }
-  folder_ = studies.shown()->folder;
-  if (revision_ != studies.results_revision()) thumbnails_.forget();
-  revision_ = studies.results_revision();
+  folder_ = studies_.shown()->folder;
+  if (revision_ != studies_.results_revision()) thumbnails_.forget();
+  revision_ = studies_.results_revision();
 }
 
-void StudyResultsPanel::draw_head(Workbench& bench, const ListedStudy& listed) {
-  Studies& studies = bench.studies;
+void StudyResultsPanel::draw_head(const ListedStudy& listed) {
   const bool over = listed.state >= StudyState::finished;
   const bool finished = listed.state == StudyState::finished;
   const char* action = over ? (finished ? "Run again" : "Continue") : "Stop";
@@ -78,36 +78,36 @@ void StudyResultsPanel::draw_head(Workbench& bench, const ListedStudy& listed) {
   ImGui::SameLine(ImGui::GetContentRegionMax().x - buttons);
   const RecentStudy study = listed.study;
   if (ImGui::Button(action)) {
-    if (!over) studies.cancel(study);
-    if (over) attempt(bench, [&] { studies.resume(study); });
+    if (!over) studies_.cancel(study);
+    if (over) attempt(problems_, [&] { studies_.resume(study); });
   }
-  bench.ui_map.mark_item(std::string("study action"));
+  ui_map_.mark_item(std::string("study action"));
   help_for_item(over ? "Cells that are there and the same are kept."
                      : "After this cell; it can be continued.");
   ImGui::SameLine();
   ImGui::BeginDisabled(study.spec.empty());
-  if (ImGui::Button("Spec")) attempt(bench, [&] { studies.open_spec(study.spec); });
+  if (ImGui::Button("Spec")) attempt(problems_, [&] { studies_.open_spec(study.spec); });
   ImGui::EndDisabled();
-  bench.ui_map.mark_item("study spec");
+  ui_map_.mark_item("study spec");
   ImGui::SameLine();
   const std::filesystem::path page = page_of(study.folder);
-  if (ImGui::Button("Open")) open_page(bench, page);
-  bench.ui_map.mark_item("open study");
+  if (ImGui::Button("Open")) open_page(problems_, page);
+  ui_map_.mark_item("open study");
   help_for_item("Shows " + page.filename().string() + " in the program that your desktop has for it.");
 }
 
-void StudyResultsPanel::draw_choices(Workbench& bench, const StudyResults& results) {
+void StudyResultsPanel::draw_choices(const StudyResults& results) {
   const auto combo = [&](const char* id, float width, const std::string& now, size_t count, const auto& name,
                          const auto& choose) {
     if (ImGui::GetCursorPosX() + scaled(width) > ImGui::GetContentRegionMax().x) ImGui::NewLine();
     ImGui::SetNextItemWidth(scaled(width));
     const bool open = ImGui::BeginCombo(id, now.c_str(), ImGuiComboFlags_HeightLarge);
-    bench.ui_map.mark_item(id);
+    ui_map_.mark_item(id);
     if (open) {
       for (size_t i = 0; i < count; ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable(name(i).c_str(), name(i) == now)) choose(i);
-        bench.ui_map.mark_item(std::string(id) + "=" + name(i));
+        ui_map_.mark_item(std::string(id) + "=" + name(i));
         ImGui::PopID();
       }
       ImGui::EndCombo();
@@ -135,7 +135,7 @@ void StudyResultsPanel::draw_choices(Workbench& bench, const StudyResults& resul
         number_name, [&](size_t i) { choice_.number = i == 0 ? std::nullopt : std::optional(i - 1); });
 }
 
-void StudyResultsPanel::draw_zoom(Workbench& bench, float& zoom, float largest) {
+void StudyResultsPanel::draw_zoom(float& zoom, float largest) {
   const float width = button_width("-") + button_width("Fit") + button_width("+") + 2 * 2;
   const float left = ImGui::GetContentRegionMax().x - width;
   if (ImGui::GetCursorPosX() > left) ImGui::NewLine();
@@ -144,45 +144,44 @@ void StudyResultsPanel::draw_zoom(Workbench& bench, float& zoom, float largest) 
   help_for_item("Smaller (Ctrl+wheel).");
   ImGui::SameLine(0, 2);
   if (toggle_button("Fit", zoom == 1.0F, "As large as the window has room for.")) zoom = 1.0F;
-  bench.ui_map.mark_item("fit grid");
+  ui_map_.mark_item("fit grid");
   ImGui::SameLine(0, 2);
   if (ImGui::Button("+")) zoom = std::min(largest, zoom * 1.25F);
-  bench.ui_map.mark_item("larger cells");
+  ui_map_.mark_item("larger cells");
   help_for_item("Larger (Ctrl+wheel).");
 }
 
-bool StudyResultsPanel::draw_kinds(Workbench& bench, const StudyResults& results) {
+bool StudyResultsPanel::draw_kinds(const StudyResults& results) {
   if (results.charts().empty()) return false;
   const bool before = wants_charts_;
   if (toggle_button("Grid", !wants_charts_, "Every cell's picture.")) wants_charts_ = false;
-  bench.ui_map.mark_item("show grid");
+  ui_map_.mark_item("show grid");
   ImGui::SameLine(0, 2);
   if (toggle_button("Charts", wants_charts_, "What the numbers of all cells say.")) wants_charts_ = true;
-  bench.ui_map.mark_item("show charts");
+  ui_map_.mark_item("show charts");
   ImGui::SameLine();
   if (before != wants_charts_) thumbnails_.forget();  // the others are out of sight
   return wants_charts_;
 }
 
-void StudyResultsPanel::take_over(Workbench& bench, const StudyResults& results, size_t cell) {
+void StudyResultsPanel::take_over(const StudyResults& results, size_t cell) {
   const std::filesystem::path file = results.picture(cell, choice_.picture);
   if (file.empty()) return;
   std::string taken = fmt::format("cell {}: {}", cell + 1, make_cell(results.spec(), cell).name);
-  const bool worked = attempt(bench, [&] {
+  const bool worked = attempt(problems_, [&] {
     const Settings settings = read_origin(file).settings;
-    const ImageParams& from = bench.settings().image;
+    const ImageParams& from = document_.settings().image;
     const ImageParams& to = settings.image;
     const bool same_size = from.width == to.width && from.height == to.height;
     if (!same_size) taken += fmt::format(", {} × {} px", to.width, to.height);
-    bench.replace(settings, same_size ? "" : taken);
+    document_.replace(settings, same_size ? "" : taken);
   });
   if (!worked) return;
   choice_.taken = cell;
-  bench.tell(Severity::note, "took over " + taken);
+  problems_.tell(Severity::note, "took over " + taken);
 }
 
-void StudyResultsPanel::draw_cell_menu(Workbench& bench, const StudyResults& results,
-                                       const GridMouse& mouse) {
+void StudyResultsPanel::draw_cell_menu(const StudyResults& results, const GridMouse& mouse) {
   if (mouse.menu) {
     menu_cell_ = mouse.menu;
     ImGui::OpenPopup("cell menu");
@@ -193,37 +192,35 @@ void StudyResultsPanel::draw_cell_menu(Workbench& bench, const StudyResults& res
       cell < cell_count(results.spec()) ? results.picture(cell, choice_.picture) : std::filesystem::path();
   faint_text(fmt::format("Cell {}", cell + 1));
   ImGui::Separator();
-  if (ImGui::MenuItem("Take over its parameters", nullptr, false, !file.empty()))
-    take_over(bench, results, cell);
-  if (ImGui::MenuItem("Open the picture", nullptr, false, !file.empty())) open_page(bench, file);
+  if (ImGui::MenuItem("Take over its parameters", nullptr, false, !file.empty())) take_over(results, cell);
+  if (ImGui::MenuItem("Open the picture", nullptr, false, !file.empty())) open_page(problems_, file);
   if (ImGui::MenuItem("Copy the picture's path", nullptr, false, !file.empty()))
     ImGui::SetClipboardText(file.c_str());
   ImGui::EndPopup();
 }
 
-void StudyResultsPanel::draw_grid(Workbench& bench, const StudyResults& results) {
-  draw_choices(bench, results);
-  draw_zoom(bench, choice_.zoom, kLargestGrid);
+void StudyResultsPanel::draw_grid(const StudyResults& results) {
+  draw_choices(results);
+  draw_zoom(choice_.zoom, kLargestGrid);
   ImGui::Dummy({0, scaled(2)});
-  const GridMouse mouse = draw_study_grid(bench, results, choice_, thumbnails_);
-  if (mouse.clicked) take_over(bench, results, *mouse.clicked);
-  draw_cell_menu(bench, results, mouse);
+  const GridMouse mouse = draw_study_grid(document_, ui_map_, results, choice_, thumbnails_);
+  if (mouse.clicked) take_over(results, *mouse.clicked);
+  draw_cell_menu(results, mouse);
 }
 
-void StudyResultsPanel::draw(Workbench& bench) {
-  Studies& studies = bench.studies;
-  if (!studies.shown()) return studies.show_form();
-  follow_results(studies);
-  const ListedStudy listed = listed_of(studies);
-  draw_head(bench, listed);
-  if (!studies.shown()) return;
-  if (!studies.results()) {
+void StudyResultsPanel::draw() {
+  if (!studies_.shown()) return studies_.show_form();
+  follow_results();
+  const ListedStudy listed = listed_of(studies_);
+  draw_head(listed);
+  if (!studies_.shown()) return;
+  if (!studies_.results()) {
     faint_text(state_text(listed));
     if (listed.job != nullptr && !listed.job->problem.empty())
       coloured_text(theme().error, listed.job->problem);
     return;
   }
-  const StudyResults& results = *studies.results();
+  const StudyResults& results = *studies_.results();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool all_done = listed.state == StudyState::finished && results.failed() == 0;
   const std::string size = results.bytes() > 0 ? shape_text(results.spec()) + ", " +
@@ -236,17 +233,18 @@ void StudyResultsPanel::draw(Workbench& bench) {
     fitted_text(listed.job->problem, width, theme().error);
   ImGui::Dummy({0, scaled(1)});
   thumbnails_.begin_frame();
-  if (draw_kinds(bench, results)) {
-    draw_zoom(bench, chart_zoom_, kLargestChart);
+  if (draw_kinds(results)) {
+    draw_zoom(chart_zoom_, kLargestChart);
     ImGui::Dummy({0, scaled(2)});
     const std::filesystem::path clicked =
-        draw_study_charts(bench, results.charts(), chart_zoom_, thumbnails_);
-    if (!clicked.empty()) open_page(bench, clicked);
+        draw_study_charts(ui_map_, results.charts(), chart_zoom_, thumbnails_);
+    if (!clicked.empty()) open_page(problems_, clicked);
   } else {
-    draw_grid(bench, results);
+    draw_grid(results);
   }
   thumbnails_.end_frame();
-  if (thumbnails_.is_waiting()) bench.wake_in(studies.is_busy() ? kReadSecondsBesideStudy : kReadSeconds);
+  if (thumbnails_.is_waiting())
+    requests_.wake_in(studies_.is_busy() ? kReadSecondsBesideStudy : kReadSeconds);
 }
 
 }  // namespace inkbench

@@ -3,27 +3,41 @@
 #pragma once
 
 #include "app/panels/study/study_grid_view.h"
+#include "app/window/studies.h"
 #include "app/window/thumbnails.h"
-#include "app/window/workbench.h"
+#include "app/window/ui_map.h"
+#include "app/window/window_requests.h"
+#include "app/workbench/document.h"
+#include "app/workbench/problems.h"
 
 namespace inkbench {
 
 class StudyResultsPanel {
  public:
+  /// All must outlive it.
+  StudyResultsPanel(Document& document, Studies& studies, Problems& problems, WindowRequests& requests,
+                    UiMap& ui_map)
+      : document_(document), studies_(studies), problems_(problems), requests_(requests), ui_map_(ui_map) {}
+
   /// Draws into the current ImGui window.
-  void draw(Workbench& bench);
+  void draw();
 
  private:
-  void follow_results(const Studies& studies);
-  void draw_head(Workbench& bench, const ListedStudy& listed);
+  void follow_results();
+  void draw_head(const ListedStudy& listed);
   /// Returns whether the charts are chosen.
-  bool draw_kinds(Workbench& bench, const StudyResults& results);
-  void draw_choices(Workbench& bench, const StudyResults& results);
-  void draw_zoom(Workbench& bench, float& zoom, float largest);
-  void draw_grid(Workbench& bench, const StudyResults& results);
-  void draw_cell_menu(Workbench& bench, const StudyResults& results, const GridMouse& mouse);
-  void take_over(Workbench& bench, const StudyResults& results, size_t cell);
+  bool draw_kinds(const StudyResults& results);
+  void draw_choices(const StudyResults& results);
+  void draw_zoom(float& zoom, float largest);
+  void draw_grid(const StudyResults& results);
+  void draw_cell_menu(const StudyResults& results, const GridMouse& mouse);
+  void take_over(const StudyResults& results, size_t cell);
 
+  Document& document_;
+  Studies& studies_;
+  Problems& problems_;
+  WindowRequests& requests_;
+  UiMap& ui_map_;
   Thumbnails thumbnails_;
   GridChoice choice_;
   bool wants_charts_ = false;

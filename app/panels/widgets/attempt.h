@@ -1,20 +1,20 @@
 // Doing what a person asked for where it may fail: the reason is shown, and nothing else happens.
 #pragma once
 
-#include "app/window/workbench.h"
+#include "app/workbench/problems.h"
 #include "pipeline/base/error.h"
 
 namespace inkbench {
 
 /// Returns whether it worked.
 template <class Action>
-bool attempt(Workbench& bench, const Action& action) {
+bool attempt(Problems& problems, const Action& action) {
   try {
     action();
-    bench.dismiss(ProblemKind::input);
+    problems.dismiss(ProblemKind::input);
     return true;
   } catch (const Error& error) {
-    bench.set_problem(ProblemKind::input, error.what());
+    problems.set(ProblemKind::input, error.what());
     return false;
   }
 }

@@ -35,7 +35,7 @@ ProblemPlan plan_of(ProblemKind kind, const std::string& text, float width) {
 }
 
 /// Returns whether it was dismissed.
-bool draw_problem(Workbench& bench, ProblemKind kind, const std::string& text) {
+bool draw_problem(Viewer& viewer, UiMap& ui_map, ProblemKind kind, const std::string& text) {
   ImGui::PushID(static_cast<int>(kind));
   const float pad = scaled(10);
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -49,14 +49,14 @@ bool draw_problem(Workbench& bench, ProblemKind kind, const std::string& text) {
   place.y += ImGui::GetTextLineHeight() + scaled(3);
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), place, theme().error, text.c_str(), nullptr, wrap);
   ImGui::SetCursorScreenPos({low.x + width - buttons, low.y + scaled(8)});
-  if (kind == ProblemKind::drawing && bench.can_go_back()) {
-    if (ImGui::Button("Go back")) bench.go_back();
-    bench.ui_map.mark_item("go back");
+  if (kind == ProblemKind::drawing && viewer.can_go_back()) {
+    if (ImGui::Button("Go back")) viewer.go_back();
+    ui_map.mark_item("go back");
     help_for_item("Back to the settings that gave the pictures.");
     ImGui::SameLine();
   }
   const bool dismissed = ImGui::Button("Dismiss");
-  bench.ui_map.mark_item("dismiss");
+  ui_map.mark_item("dismiss");
   ImGui::SetCursorScreenPos({low.x, low.y + height + scaled(4)});
   ImGui::PopID();
   return dismissed;
@@ -64,16 +64,16 @@ bool draw_problem(Workbench& bench, ProblemKind kind, const std::string& text) {
 
 }  // namespace
 
-float banner_height(const Workbench& bench, float width) {
+float banner_height(const Problems& problems, float width) {
   float height = 0;
-  for (const auto& [kind, text] : bench.problems()) height += plan_of(kind, text, width).height + scaled(4);
+  for (const auto& [kind, text] : problems.all()) height += plan_of(kind, text, width).height + scaled(4);
   return height;
 }
 
-void draw_banner(Workbench& bench) {
-  const std::map<ProblemKind, std::string> problems = bench.problems();  // drawing may dismiss some
-  for (const auto& [kind, text] : problems) {
-    if (draw_problem(bench, kind, text)) bench.dismiss(kind);
+void draw_banner(Viewer& viewer, Problems& problems, UiMap& ui_map) {
+  const std::map<ProblemKind, std::string> all = problems.all();  // drawing may dismiss some
+  for (const auto& [kind, text] : all) {
+    if (draw_problem(viewer, ui_map, kind, text)) problems.dismiss(kind);
   }
 }
 

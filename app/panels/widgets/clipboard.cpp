@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/panels/widgets/attempt.h"
+#include "app/window/listed_buffers.h"
 #include "app/workbench/folder_listing.h"
 #include "app/workbench/render_command_text.h"
 #include "app/workbench/scene_base.h"
@@ -12,35 +13,34 @@
 
 namespace inkbench {
 
-void copy_render_command(Workbench& bench) {
-  attempt(bench, [&] {
-    const RenderCommand command =
-        render_command(bench.settings(), bench.scene(), {bench.view.filled.value_or(bench.view.selected)});
+void copy_render_command(const Document& document, const ViewState& view, Problems& problems) {
+  attempt(problems, [&] {
+    const RenderCommand command = render_command(document.settings(), document.scene(), {looked_at(view)});
     ImGui::SetClipboardText(command.text.c_str());
-    bench.tell(Severity::note, "copied: " + command.text);
+    problems.tell(Severity::note, "copied: " + command.text);
   });
 }
 
-void copy_settings(Workbench& bench) {
-  ImGui::SetClipboardText(settings_text(with_absolute_paths(bench.settings())).c_str());
-  bench.tell(Severity::note, "copied all settings as the text of a scene file");
+void copy_settings(const Document& document, Problems& problems) {
+  ImGui::SetClipboardText(settings_text(with_absolute_paths(document.settings())).c_str());
+  problems.tell(Severity::note, "copied all settings as the text of a scene file");
 }
 
-void paste(Workbench& bench) {
+void paste(Document& document, FileOpener& files, Problems& problems) {
   const char* held = ImGui::GetClipboardText();
   const std::string text = held == nullptr ? "" : held;
   std::error_code error;
   const fs::path folder = fs::current_path(error);
   const fs::path path = path_from_text(text.substr(0, text.find('\n')), folder);
   const bool is_path = !path.empty() && text.size() < 4096 && fs::exists(path, error);
-  if (is_path) return bench.open(path.string());
-  attempt(bench, [&] {
+  if (is_path) return files.open(path.string());
+  attempt(problems, [&] {
     if (text.find('=') == std::string::npos)
       throw input_error("the clipboard", "holds neither a file's path nor settings",
                         "copy settings with Edit > Copy settings, or a path");
     const Settings pasted = parse_settings(text, "the clipboard", folder);
     check_settings(pasted);
-    bench.replace(pasted, "paste settings");
+    document.replace(pasted, "paste settings");
   });
 }
 

@@ -49,7 +49,7 @@ fs::path FileChooser::path_of(const FolderEntry& entry) const {
 }
 
 /// An empty folder stands for the recent files.
-void FileChooser::go_to(Workbench& bench, const fs::path& folder) {
+void FileChooser::go_to(const fs::path& folder) {
   shows_recent_ = folder.empty();
   selected_.reset();
   replaces_.reset();
@@ -61,66 +61,66 @@ void FileChooser::go_to(Workbench& bench, const fs::path& folder) {
   }
   listing_ = {};
   path_text_.clear();
-  for (const fs::path& file : bench.keeping.recent()) {
+  for (const fs::path& file : keeping_.recent()) {
     std::error_code error;
     const std::uintmax_t bytes = fs::file_size(file, error);
     if (!error) listing_.entries.push_back({file.string(), false, bytes});
   }
-  if (listing_.entries.empty()) go_to(bench, project_file("data/scenes"));
+  if (listing_.entries.empty()) go_to(project_file("data/scenes"));
 }
 
-void FileChooser::place(Workbench& bench, const char* name, const fs::path& folder) {
+void FileChooser::place(const char* name, const fs::path& folder) {
   const bool here = folder.empty() ? shows_recent_ : !shows_recent_ && listing_.folder == folder;
   if (!folder.empty() && !is_folder(folder)) return;
-  if (ImGui::Selectable(name, here)) go_to(bench, folder);
-  bench.ui_map.mark_item(std::string("place:") + name);
+  if (ImGui::Selectable(name, here)) go_to(folder);
+  ui_map_.mark_item(std::string("place:") + name);
 }
 
-void FileChooser::draw_places(Workbench& bench) {
-  const bool has_recent = !question_.saves && !bench.keeping.recent().empty();
-  if (has_recent) place(bench, "Recent", {});
-  place(bench, "Scenes", project_file("data/scenes"));
-  if (!question_.saves) place(bench, "Studies", project_root() / "studies");
-  place(bench, "Presets", bench.keeping.presets().folder());
-  place(bench, "Working folder", working_folder());
-  if (const char* home = std::getenv("HOME"); home != nullptr) place(bench, "Home", home);
-  place(bench, "All files", "/");
+void FileChooser::draw_places() {
+  const bool has_recent = !question_.saves && !keeping_.recent().empty();
+  if (has_recent) place("Recent", {});
+  place("Scenes", project_file("data/scenes"));
+  if (!question_.saves) place("Studies", project_root() / "studies");
+  place("Presets", keeping_.presets().folder());
+  place("Working folder", working_folder());
+  if (const char* home = std::getenv("HOME"); home != nullptr) place("Home", home);
+  place("All files", "/");
 }
 
-void FileChooser::draw_path(Workbench& bench) {
+void FileChooser::draw_path() {
   const float up = button_width("Up");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
   if (focus_ && !question_.saves) ImGui::SetKeyboardFocusHere();
   const bool entered =
       ImGui::InputTextWithHint("##path", "Type or paste a path", &path_text_,
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  bench.ui_map.mark_item("path");
+  ui_map_.mark_item("path");
   if (ImGui::IsItemEdited()) selected_.reset();  // what was typed last is meant
   if (entered && path_text_ != listing_.folder.string()) selected_.reset();
-  if (entered) open_chosen(bench);
+  if (entered) open_chosen();
   ImGui::SameLine();
-  if (ImGui::Button("Up") && !shows_recent_) go_to(bench, listing_.folder.parent_path());
-  bench.ui_map.mark_item("chooser:up");
+  if (ImGui::Button("Up") && !shows_recent_) go_to(listing_.folder.parent_path());
+  ui_map_.mark_item("chooser:up");
 }
 
 /// What Enter and a double click do: into a folder, or that file.
-void FileChooser::activate(Workbench& bench, const fs::path& path) {
+void FileChooser::activate(const fs::path& path) {
   if (path.empty()) return;
   if (is_folder(path)) {
-    go_to(bench, path.has_filename() ? path : path.parent_path());
+    go_to(path.has_filename() ? path : path.parent_path());
     focus_ = true;
   } else if (question_.saves || is_there(path)) {
     choose(path);
   } else {
-    tell_missing(bench, path);
+    tell_missing(path);
   }
 }
 
 /// The text stays, to be mended beside what its folder has.
-void FileChooser::tell_missing(Workbench& bench, const fs::path& path) {
+void FileChooser::tell_missing(const fs::path& path) {
   const fs::path folder = path.parent_path();
   if (is_folder(folder) && folder != listing_.folder) {
-    go_to(bench, folder);
+    go_to(folder);
     path_text_ = path.string();
   }
   problem_ = "There is no " + path.string();
@@ -135,7 +135,7 @@ void FileChooser::choose(const fs::path& path) {
   chosen_ = path;
 }
 
-void FileChooser::draw_entry(Workbench& bench, size_t index) {
+void FileChooser::draw_entry(size_t index) {
   const FolderEntry& entry = listing_.entries[index];
   const bool selected = selected_ == index;
   ImGui::TableNextRow();
@@ -143,7 +143,7 @@ void FileChooser::draw_entry(Workbench& bench, size_t index) {
   ImGui::PushID(static_cast<int>(index));
   const bool pressed = ImGui::Selectable(
       "##entry", selected, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick);
-  bench.ui_map.mark_item("entry:" + entry.name);
+  ui_map_.mark_item("entry:" + entry.name);
   const ImVec2 low = ImGui::GetItemRectMin();
   const bool twice = pressed && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (selected && scroll_) ImGui::SetScrollHereY();
@@ -160,10 +160,10 @@ void FileChooser::draw_entry(Workbench& bench, size_t index) {
   ImGui::PopID();
   if (pressed) selected_ = index;
   if (pressed && question_.saves && !entry.is_folder) question_.name = entry.name;
-  if (twice) activate(bench, path_of(entry));
+  if (twice) activate(path_of(entry));
 }
 
-void FileChooser::move_by_keys(Workbench& bench) {
+void FileChooser::move_by_keys() {
   const size_t count = listing_.entries.size();
   scroll_ = false;
   if (count == 0) return;
@@ -171,10 +171,10 @@ void FileChooser::move_by_keys(Workbench& bench) {
   if (key_pressed(ImGuiKey_UpArrow)) selected_ = selected_ && *selected_ > 0 ? *selected_ - 1 : 0;
   scroll_ = key_pressed(ImGuiKey_DownArrow) || key_pressed(ImGuiKey_UpArrow);
   const bool into = key_pressed(ImGuiKey_Enter) && !ImGui::GetIO().WantTextInput && selected_;
-  if (into) activate(bench, path_of(listing_.entries[*selected_]));
+  if (into) activate(path_of(listing_.entries[*selected_]));
 }
 
-void FileChooser::draw_entries(Workbench& bench, float height) {
+void FileChooser::draw_entries(float height) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, theme().panel);
   ImGui::BeginChild("entries", {0, height}, true);
   const size_t drawn_folder = listing_.entries.size();
@@ -186,7 +186,7 @@ void FileChooser::draw_entries(Workbench& bench, float height) {
     if (scroll_ && selected_) clipper.ForceDisplayRangeByIndices(*selected_, *selected_ + 1);
     while (clipper.Step()) {
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        if (static_cast<size_t>(i) < listing_.entries.size()) draw_entry(bench, i);
+        if (static_cast<size_t>(i) < listing_.entries.size()) draw_entry(i);
       }
     }
     ImGui::EndTable();
@@ -197,7 +197,7 @@ void FileChooser::draw_entries(Workbench& bench, float height) {
   ImGui::PopStyleColor();
 }
 
-void FileChooser::draw_buttons(Workbench& bench) {
+void FileChooser::draw_buttons() {
   bool accepts = false;
   if (question_.saves) {
     ImGui::AlignTextToFramePadding();
@@ -207,41 +207,41 @@ void FileChooser::draw_buttons(Workbench& bench) {
     if (focus_) ImGui::SetKeyboardFocusHere();
     accepts = ImGui::InputText("##name", &question_.name,
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    bench.ui_map.mark_item("chooser:name");
+    ui_map_.mark_item("chooser:name");
     if (replaces_ && replaces_->filename() != question_.name) replaces_.reset();
   }
   focus_ = false;
   const char* label = replaces_ ? "Replace" : question_.button.c_str();
   accepts |= ImGui::Button(label, {scaled(100), 0});
-  bench.ui_map.mark_item("chooser:ok");
+  ui_map_.mark_item("chooser:ok");
   ImGui::SameLine();
   const bool cancels = ImGui::Button("Cancel", {scaled(100), 0}) || key_pressed(ImGuiKey_Escape);
-  bench.ui_map.mark_item("chooser:cancel");
+  ui_map_.mark_item("chooser:cancel");
   ImGui::SameLine();
   if (replaces_) {
     coloured_text(theme().warning, replaces_->filename().string() + " is there already. Replace it?");
   } else if (!problem_.empty()) {
     fitted_text(problem_, ImGui::GetContentRegionAvail().x, theme().error);
-    bench.ui_map.mark_item("chooser:problem");
+    ui_map_.mark_item("chooser:problem");
   } else {
     ImGui::NewLine();
   }
   if (accepts && question_.saves && !question_.name.empty()) choose(listing_.folder / question_.name);
-  if (accepts && !question_.saves) open_chosen(bench);
+  if (accepts && !question_.saves) open_chosen();
   if (cancels) ImGui::CloseCurrentPopup();
 }
 
 /// What is selected in the list, else what was typed.
-void FileChooser::open_chosen(Workbench& bench) {
-  if (selected_) return activate(bench, path_of(listing_.entries[*selected_]));
+void FileChooser::open_chosen() {
+  if (selected_) return activate(path_of(listing_.entries[*selected_]));
   const fs::path typed = path_from_text(path_text_, shows_recent_ ? working_folder() : listing_.folder);
-  if (typed != listing_.folder) activate(bench, typed);
+  if (typed != listing_.folder) activate(typed);
 }
 
-std::optional<fs::path> FileChooser::draw(Workbench& bench, const std::function<void()>& extras) {
+std::optional<fs::path> FileChooser::draw(const std::function<void()>& extras) {
   if (asking_) {
     ImGui::OpenPopup("file chooser");
-    go_to(bench, question_.folder);
+    go_to(question_.folder);
     focus_ = true;
     asking_ = false;
   }
@@ -261,16 +261,16 @@ std::optional<fs::path> FileChooser::draw(Workbench& bench, const std::function<
   ImGui::Dummy({0, scaled(2)});
   const float height = std::min(scaled(330), screen.y - scaled(230));
   ImGui::BeginChild("places", {scaled(kPlacesWidth), height});
-  draw_places(bench);
+  draw_places();
   ImGui::EndChild();
   ImGui::SameLine(0, scaled(14));
   ImGui::BeginChild("folder", {0, height});
-  move_by_keys(bench);
-  draw_path(bench);
-  draw_entries(bench, 0);
+  move_by_keys();
+  draw_path();
+  draw_entries(0);
   ImGui::EndChild();
   if (extras) extras();
-  draw_buttons(bench);
+  draw_buttons();
   if (chosen_) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   return std::exchange(chosen_, std::nullopt);

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/window/workbench.h"
+#include "app/window/keeping.h"
+#include "app/window/ui_map.h"
 #include "app/workbench/folder_listing.h"
 
 namespace inkbench {
@@ -23,32 +24,37 @@ struct ChooserQuestion {
 
 class FileChooser {
  public:
+  /// Both must outlive it.
+  FileChooser(const Keeping& keeping, UiMap& ui_map) : keeping_(keeping), ui_map_(ui_map) {}
+
   void ask(ChooserQuestion question);
   bool is_open() const { return asking_ || open_; }
 
   /// Once a frame. `extras` draws more between list and buttons. Returns the path in the frame in which it is
   /// chosen; when saving over a file, the person has agreed to it.
-  std::optional<std::filesystem::path> draw(Workbench& bench, const std::function<void()>& extras = {});
+  std::optional<std::filesystem::path> draw(const std::function<void()>& extras = {});
 
   /// The name typed so far, when saving.
   std::string& name() { return question_.name; }
   const std::filesystem::path& folder() const { return listing_.folder; }
 
  private:
-  void go_to(Workbench& bench, const std::filesystem::path& folder);
-  void draw_places(Workbench& bench);
-  void place(Workbench& bench, const char* name, const std::filesystem::path& folder);
-  void draw_path(Workbench& bench);
-  void draw_entries(Workbench& bench, float height);
-  void draw_entry(Workbench& bench, size_t index);
-  void move_by_keys(Workbench& bench);
-  void draw_buttons(Workbench& bench);
-  void activate(Workbench& bench, const std::filesystem::path& path);
-  void tell_missing(Workbench& bench, const std::filesystem::path& path);
-  void open_chosen(Workbench& bench);
+  void go_to(const std::filesystem::path& folder);
+  void draw_places();
+  void place(const char* name, const std::filesystem::path& folder);
+  void draw_path();
+  void draw_entries(float height);
+  void draw_entry(size_t index);
+  void move_by_keys();
+  void draw_buttons();
+  void activate(const std::filesystem::path& path);
+  void tell_missing(const std::filesystem::path& path);
+  void open_chosen();
   void choose(const std::filesystem::path& path);
   std::filesystem::path path_of(const FolderEntry& entry) const;
 
+  const Keeping& keeping_;
+  UiMap& ui_map_;
   ChooserQuestion question_;
   bool asking_ = false, open_ = false, focus_ = false, shows_recent_ = false, scroll_ = false;
   FolderListing listing_;

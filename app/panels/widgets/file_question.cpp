@@ -28,17 +28,17 @@ void FileQuestion::ask(const std::string& title, const std::string& hint, const 
   opening_ = true;
 }
 
-void FileQuestion::close_with(Workbench& bench, bool accepted) {
+void FileQuestion::close_with(bool accepted) {
   ImGui::CloseCurrentPopup();
-  if (accepted && !path_.empty()) attempt(bench, [&] { answer_(path_); });
+  if (accepted && !path_.empty()) attempt(problems_, [&] { answer_(path_); });
 }
 
-void FileQuestion::draw(Workbench& bench) {
+void FileQuestion::draw() {
   constexpr const char* kId = "file question";
   const bool appears = std::exchange(opening_, false);
   if (appears) ImGui::OpenPopup(kId);
   if (appears) frames_to_settle_ = kFramesToSettle;
-  if (frames_to_settle_ > 0) bench.wake_in(0.0);
+  if (frames_to_settle_ > 0) requests_.wake_in(0.0);
   frames_to_settle_ = std::max(frames_to_settle_ - 1, 0);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 3}, ImGuiCond_Appearing, {0.5F, 0.5F});
@@ -57,12 +57,12 @@ void FileQuestion::draw(Workbench& bench) {
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputText(
       "##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  bench.ui_map.mark_item("question:path");
+  ui_map_.mark_item("question:path");
   const bool accepted = ImGui::Button(action_.c_str()) || entered;
-  bench.ui_map.mark_item("question:accept");
+  ui_map_.mark_item("question:accept");
   ImGui::SameLine();
   const bool cancelled = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-  if (accepted || cancelled) close_with(bench, accepted);
+  if (accepted || cancelled) close_with(accepted);
   ImGui::EndPopup();
 }
 

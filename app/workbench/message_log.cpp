@@ -1,4 +1,4 @@
-#include "app/window/message_log.h"
+#include "app/workbench/message_log.h"
 
 #include <array>
 #include <ctime>

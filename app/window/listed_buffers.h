@@ -1,0 +1,25 @@
+// Which buffers are looked at: those that the sheet lists, or those that fill the window. In: layout and
+// view.
+#pragma once
+
+#include <vector>
+
+#include "app/window/pictures.h"
+#include "app/window/view_state.h"
+#include "app/workbench/window_layout.h"
+
+namespace inkbench {
+
+/// Whether the sheet shows the buffer.
+bool is_listed(const WindowLayout& layout, BufferName buffer);
+void set_listed(WindowLayout& layout, BufferName buffer, bool listed);
+
+/// The buffers whose pictures of now are seen.
+std::vector<BufferName> wanted_buffers(const WindowLayout& layout, const ViewState& view);
+
+/// The one that a person means: what fills the window, else the selected one.
+inline BufferName looked_at(const ViewState& view) {
+  return view.filled.value_or(view.selected);
+}
+
+}  // namespace inkbench

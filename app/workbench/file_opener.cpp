@@ -1,0 +1,101 @@
+#include "app/workbench/file_opener.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "pipeline/base/error.h"
+#include "pipeline/base/text.h"
+#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/levels/replace_mesh.h"
+
+namespace inkbench {
+namespace {
+
+std::string opening(const OpenedFile& file) {
+  return "open " + file.path.filename().string();
+}
+
+}  // namespace
+
+FileOpener::FileOpener(Document& document, Problems& problems, std::filesystem::path presets_folder,
+                       FileTakers takers)
+    : document_(document),
+      problems_(problems),
+      presets_folder_(std::move(presets_folder)),
+      takers_(std::move(takers)) {}
+
+bool FileOpener::is_kept_preset(const std::filesystem::path& file) const {
+  std::error_code error;
+  return std::filesystem::equivalent(file.parent_path(), presets_folder_, error);
+}
+
+void FileOpener::take_scene(const OpenedFile& file) {
+  if (is_kept_preset(file.path))
+    return document_.accept(*file.settings, "preset " + file.path.stem().string());
+  document_.accept_from(file.path.filename().string(), file.path, *file.settings, opening(file));
+}
+
+void FileOpener::take_mesh(const OpenedFile& file) {
+  // A mesh that cannot be read is told before anything changes.
+  const auto mesh = std::make_shared<Mesh>(load_mesh_file(file.path));
+  Settings next = document_.settings();
+  replace_main_mesh(next, file.path);
+  const ModelParams& model = main_model(next);
+  for (const std::string& note : mesh->notes)
+    problems_.tell(Severity::note, "model '" + model.name + "': " + note);
+  takers_.mesh(model, mesh);
+  document_.accept(next, opening(file));
+}
+
+void FileOpener::take_ramp(const OpenedFile& file) {
+  Settings next = document_.settings();
+  next.ramp.diffuse = *file.ramp;
+  next.ramp.enabled = true;
+  document_.accept(next, "diffuse ramp from " + file.path.filename().string());
+}
+
+void FileOpener::take(const OpenedFile& file) {
+  switch (file.kind) {
+    case FileKind::exported_image:
+      document_.accept_from(file.path.filename().string(), {}, *file.settings, opening(file));
+      return takers_.buffer(*file.buffer);
+    case FileKind::scene:
+    case FileKind::preset:
+      return take_scene(file);
+    case FileKind::mesh:
+      return take_mesh(file);
+    case FileKind::ramp:
+    case FileKind::ramp_image:
+      return take_ramp(file);
+    case FileKind::study:
+      return takers_.study(file);
+  }
+}
+
+/// Returns why not; empty where it was opened.
+std::string FileOpener::open_one(const std::string& path) {
+  try {
+    const OpenedFile file = open_file(path);
+    if (document_.is_editing()) document_.end_edit();
+    take(file);
+    takers_.opened(file.path);
+    problems_.tell(Severity::note, fmt::format("opened {}, {}", file.path.string(), name_of(file.kind)));
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+void FileOpener::open_all(const std::vector<std::string>& paths) {
+  std::vector<std::string> problems;
+  for (const std::string& path : paths) {
+    std::string problem = open_one(path);
+    if (!problem.empty()) problems.push_back(std::move(problem));
+  }
+  if (paths.empty()) return;
+  if (problems.empty()) return problems_.dismiss(ProblemKind::input);
+  problems_.set(ProblemKind::input, join(problems, "\n"));
+}
+
+}  // namespace inkbench
