@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   inkbench::add_render_command(app);
   inkbench::add_study_command(app);
   inkbench::add_score_command(app);
+  inkbench::add_measure_command(app);
   inkbench::add_decimate_command(app);
   inkbench::add_params_command(app);
   inkbench::add_info_command(app);
@@ -42,7 +43,7 @@ int run(int argc, char** argv) {
     if (error.get_name() == "RequiredError" && app.get_subcommands().empty()) {
       const std::vector<std::string> words = app.remaining();
       text = (words.empty() ? "which command?" : "there is no '" + words.front() + "'; which command?") +
-             " app, render, study, score, decimate, params or info";
+             " app, render, study, score, measure, decimate, params or info";
     }
     return fail(text + "; `inkbench --help` shows how it is used", 2);
   }

@@ -23,7 +23,7 @@ void print_json(const StudyProgress& progress) {
 std::string progress_text(const StudyProgress& progress) {
   std::string text = fmt::format("{} / {} cells", progress.done, progress.total);
   if (progress.failed > 0) text += fmt::format(", {} failed", progress.failed);
-  const size_t tried = progress.drawn + progress.failed;
+  const size_t tried = progress.drawn + progress.measured + progress.failed;
   if (tried == 0 || progress.seconds <= 0) return text;
   const double rate = static_cast<double>(tried) / progress.seconds;
   text += fmt::format(", {:.1f} a second", rate);
@@ -33,8 +33,9 @@ std::string progress_text(const StudyProgress& progress) {
 }
 
 std::string progress_json(const StudyProgress& progress) {
-  return fmt::format(R"({{"done":{},"total":{},"drawn":{},"failed":{},"seconds":{:.3f}}})", progress.done,
-                     progress.total, progress.drawn, progress.failed, progress.seconds);
+  return fmt::format(R"({{"done":{},"total":{},"drawn":{},"measured":{},"failed":{},"seconds":{:.3f}}})",
+                     progress.done, progress.total, progress.drawn, progress.measured, progress.failed,
+                     progress.seconds);
 }
 
 ProgressLine::ProgressLine(ProgressFormat format)

@@ -4,32 +4,20 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/size_option.h"
+#include "app/scene_options.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
 #include "pipeline/export.h"
 #include "pipeline/gl/context.h"
-#include "pipeline/mesh/levels/replace_mesh.h"
-#include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {
 
 struct RenderOptions {
-  std::string scene, from, mesh, size, buffers, format = "png", out;
-  std::vector<std::string> assignments;
+  SceneOptions scene;
+  std::string buffers, format = "png", out;
 };
-
-Settings base_settings(const RenderOptions& options, std::string& buffers) {
-  if (options.from.empty()) {
-    return load_settings(options.scene.empty() ? project_file("data/scenes/paper.toml")
-                                               : fs::path(options.scene));
-  }
-  ImageOrigin origin = read_origin(options.from);
-  if (buffers.empty()) buffers = name_of(origin.buffer);
-  return std::move(origin.settings);
-}
 
 void check_format(const std::string& format, const std::vector<BufferName>& buffers) {
   if (format != "svg") return;
@@ -48,14 +36,11 @@ fs::path write_to_folder(const Frame& frame, BufferName buffer, const RenderOpti
 }
 
 void render(const RenderOptions& options) {
-  std::string names = options.buffers;
-  Settings settings = base_settings(options, names);
-  if (!options.mesh.empty()) replace_main_mesh(settings, options.mesh);
-  if (!options.size.empty()) apply_size(settings, options.size);
-  for (const std::string& assignment : options.assignments) apply_assignment(settings, assignment);
-  check_settings(settings);
-  const std::vector<BufferName> buffers =
-      parse_buffers(split(names.empty() ? "final" : names, ','), "--buffers");
+  const auto [settings, made_from] = chosen_scene(options.scene);
+  const std::string names = !options.buffers.empty()
+                                ? options.buffers
+                                : std::string(name_of(made_from.value_or(BufferName::final)));
+  const std::vector<BufferName> buffers = parse_buffers(split(names, ','), "--buffers");
   check_format(options.format, buffers);
   const HeadlessContext context;
   Pipeline pipeline;
@@ -71,21 +56,9 @@ void render(const RenderOptions& options) {
 void add_render_command(CLI::App& app) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Draw a scene and write its buffers as image files");
-  auto* scene =
-      command->add_option("--scene", options->scene, "Scene file (TOML); the paper's scene without it");
-  command->add_option("--from", options->from, "Make an exported image again, from the parameters it carries")
-      ->excludes(scene);
-  command->add_option("--mesh", options->mesh,
-                      "Mesh file (OBJ, PLY, OFF, STL) to put where the main model stands");
-  command->add_option("--size", options->size, "Image size in px, as WIDTHxHEIGHT");
-  command
-      ->add_option("--set", options->assignments,
-                   "KEY=VALUE: set a parameter (`inkbench params` lists them); repeatable")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option(
-      "--buffers", options->buffers,
-      "Comma-separated: " + buffer_list() + ", or all; final without it");
+  add_scene_options(*command, options->scene);
+  command->add_option("--buffers", options->buffers,
+                      "Comma-separated: " + buffer_list() + ", or all; final without it");
   command
       ->add_option("--format", options->format,
                    "png: pictures; exr: raw 32-bit float values; svg: reference as paths")

@@ -48,18 +48,19 @@ void score(const ScoreOptions& options) {
   if (!options.diff.empty()) {
     write_png(options.diff, diff_picture(prediction, reference, options.tolerance_px), {});
   }
-  const Measures measures = measures_of(
-      tally_lines({.prediction = prediction, .reference = reference, .tolerance_px = options.tolerance_px}));
+  const DrawingTally tally =
+      tally_maps({.prediction = prediction, .reference = reference, .tolerance_px = options.tolerance_px});
   if (options.json) {
-    fmt::print("{}\n", measures_json(measures));
+    fmt::print("{}\n", measures_json(measures_of_maps(), tally));
     return;
   }
   note_if_inverted(options.prediction, prediction);
   note_if_inverted(options.reference, reference);
   fmt::print("{} against {}, {}, tolerance {} px\n", options.prediction, options.reference,
              size_text(prediction), shortest(options.tolerance_px));
-  if (measures.empty) fmt::print("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
-  fmt::print("{}", measures_table(measures));
+  if (tally.lines.empty())
+    fmt::print("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
+  fmt::print("{}", measures_table(measures_of_maps(), tally));
   if (!options.diff.empty()) fmt::print("{}\n", options.diff);
 }
 

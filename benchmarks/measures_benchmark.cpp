@@ -72,15 +72,15 @@ const Maps& maps() {
 
 void full_set(benchmark::State& state, LineMap Maps::*reference) {
   const LineMap& prediction = maps().prediction;
-  Measures measures;
+  DrawingTally tally;
   for (auto _ : state) {
-    measures = measures_of(tally_lines({.prediction = prediction, .reference = maps().*reference}));
-    benchmark::DoNotOptimize(measures);
+    tally = tally_maps({.prediction = prediction, .reference = maps().*reference});
+    benchmark::DoNotOptimize(measures_json(measures_of_maps(), tally));
   }
   state.counters["ink_px"] = static_cast<double>(prediction.count());
-  state.counters["predicted"] = static_cast<double>(measures.predicted);
-  state.counters["referenced"] = static_cast<double>(measures.referenced);
-  state.counters["f1"] = measures.f1;
+  state.counters["predicted"] = static_cast<double>(tally.lines.predicted);
+  state.counters["referenced"] = static_cast<double>(tally.lines.referenced);
+  state.counters["f1"] = *find_measure("f1")->value(tally);
 }
 
 void matching(benchmark::State& state, double tolerance_px) {

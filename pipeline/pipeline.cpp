@@ -138,7 +138,7 @@ Picture Frame::picture(BufferName buffer) const {
 PictureTexture Frame::picture_texture(BufferName buffer, const std::optional<ShownRange>& range) const {
   PicturePass& pass = pipeline_->picture_pass();
   const PictureView view = view_of(settings().display, buffer, range);
-  const Key key = picture_key(view, this->key(buffer), pass.program().key());
+  const Key key = inkbench::picture_key(view, this->key(buffer), pass.program().key());
   const Shown shown = show(buffer);
   const Texture& texture = pipeline_->pictures_[buffer].get(key, [&] {
     const PassScope scope(pipeline_->flow_.observer(), "picture");
@@ -180,6 +180,11 @@ LineRequest Frame::line_request() const {
 
 Key Frame::key(BufferName buffer) const {
   return state_->keys[pipeline_->flow_.node_of(buffer).index()];
+}
+
+Key Frame::picture_key(BufferName buffer) const {
+  return inkbench::picture_key(view_of(settings().display, buffer, std::nullopt), key(buffer),
+                               pipeline_->picture_pass().program().key());
 }
 
 Key Frame::key() const {

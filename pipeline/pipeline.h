@@ -74,6 +74,8 @@ class Frame {
 
   /// Decides the buffer's raw values.
   Key key(BufferName buffer) const;
+  /// Decides its picture.
+  Key picture_key(BufferName buffer) const;
   /// Decides the pass's value.
   template <class Tag>
   Key key_of() const;

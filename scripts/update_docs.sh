@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes what the documentation shows again: the parameter table and the pictures. Run it after a change that they should show.
+# Makes what the documentation shows again: the tables of parameters and measures, and the pictures. Run it after a change that they should show.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 cd "$root"
@@ -26,8 +26,14 @@ for chart in f1_by_k price; do
   cp "$out/k_against_density/charts/$chart.svg" docs/images/edge_quality/
 done
 
-marker='<!-- generated: inkbench params --format markdown -->'
-sed "/^$marker\$/q" docs/parameters.md >"$out/parameters.md"
-./run params --format markdown >>"$out/parameters.md"
-cp "$out/parameters.md" docs/parameters.md
+# regenerate PAGE COMMAND...: what the command prints follows its marker, to the end of the page.
+regenerate() {
+  local page=$1
+  shift
+  sed "/^<!-- generated: inkbench $* -->\$/q" "docs/$page" >"$out/$page"
+  ./run "$@" >>"$out/$page"
+  cp "$out/$page" "docs/$page"
+}
+regenerate parameters.md params --format markdown
+regenerate measures.md measure --list markdown
 echo "docs/ is up to date" >&2

@@ -17,9 +17,13 @@ JudgedView view_of(const Frame& frame, std::shared_ptr<const ReferenceLines> lin
 
 void JudgeDesk::refresh_measures(const Frame& frame, const FoundLines& lines, const KeyedView& full) {
   const Key edges = frame.key(BufferName::combined_edges);
-  const Key key = KeyBuilder().add(edges).add(lines.key).add(full.key).key();
+  const Key key =
+      KeyBuilder().add(edges).add(lines.key).add(full.key).add(judge_text(frame.settings().judge)).key();
   judge_.ask_when_free(key, [&] {
-    return JudgeRequest{.id = ++last_id_, .view = view_of(frame, lines.lines), .full = full.view};
+    return JudgeRequest{.id = ++last_id_,
+                        .view = view_of(frame, lines.lines),
+                        .full = full.view,
+                        .judge = frame.settings().judge};
   });
   behind_ = !judge_.has_asked(key) || !now_ || now_->id != last_id_;
 }
@@ -32,7 +36,9 @@ void JudgeDesk::refresh_pinned(const Pictures& pictures) {
     return;
   }
   if (!pinned_judge_.has_asked(pinned.key)) pinned_.reset();
-  pinned_judge_.ask(pinned.key, [&] { return JudgeRequest{.view = pinned.view}; });
+  pinned_judge_.ask(pinned.key, [&] {
+    return JudgeRequest{.view = pinned.view, .judge = pictures.pinned_settings()->judge};
+  });
 }
 
 void JudgeDesk::take_results() {

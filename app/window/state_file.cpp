@@ -37,17 +37,11 @@ Json view_of(const ViewState& view) {
 
 Json judgement_of(const Judgement* judgement) {
   if (judgement == nullptr || !judgement->error.empty()) return nullptr;
-  Json json = Json::parse(measures_json(judgement->measures));
-  for (size_t i = 0; i < kLineClasses.size(); ++i) {
-    const std::optional<double>& recall = judgement->recall[i];
-    json["recall_" + std::string(kLineClassNames[i])] = recall ? Json(*recall) : Json(nullptr);
+  std::vector<const Measure*> shown;
+  for (const Measure& measure : measure_table()) {
+    if (is_judged(measure, judgement->tally)) shown.push_back(&measure);
   }
-  if (!judgement->ladder) return json;
-  for (const LadderMeasureInfo& info : ladder_measure_list()) {
-    const std::optional<double> value = info.value(*judgement->ladder);
-    json[std::string(info.key)] = value ? Json(*value) : Json(nullptr);
-  }
-  return json;
+  return Json::parse(measures_json(shown, judgement->tally));
 }
 
 Json judge_of(const JudgeDesk& judge) {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "pipeline/base/error.h"
@@ -28,9 +29,10 @@ void check_request(const JudgeRequest& request) {
   if (request.view.edges == nullptr) throw input_error("measures", "there are no edges");
   check_view(request.view, *request.view.edges);
   if (request.full.edges != nullptr) check_view(request.full, *request.view.edges);
-  const bool good = request.tolerance_px >= kToleranceFromPx && request.tolerance_px <= kToleranceToPx;
+  const float tolerance = request.judge.tolerance;
+  const bool good = tolerance >= kToleranceFromPx && tolerance <= kToleranceToPx;
   if (!good)  // NaN too
-    throw input_error("measures", fmt::format("a tolerance of {} px", request.tolerance_px),
+    throw input_error("measures", fmt::format("a tolerance of {} px", tolerance),
                       fmt::format("give {} to {}", kToleranceFromPx, kToleranceToPx));
 }
 
@@ -38,23 +40,18 @@ void check_request(const JudgeRequest& request) {
 
 Judgement judge(const JudgeRequest& request, const StopAsked& stop) {
   check_request(request);
-  const auto stopped = [&] { return stop && stop(); };
   const auto start = std::chrono::steady_clock::now();
   Judgement result;
   result.id = request.id;
   const ReferenceLines& lines = *request.view.lines;
-  const LineView view = line_view(drawn_lines(*request.view.edges), lines);
-  result.measures = measures_of(tally_view(view, lines, request.tolerance_px));
-  if (stopped()) return result;
-  result.maps = match_maps(view, request.tolerance_px);
-  for (size_t i = 0; i < kLineClasses.size() && !stopped(); ++i)
-    result.recall[i] =
-        tally_recall(view.drawn, class_map(lines, kLineClasses[i]), request.tolerance_px).share();
-  if (request.full.edges != nullptr && !stopped()) {
-    const LineView full = line_view(drawn_lines(*request.full.edges), *request.full.lines);
-    result.ladder = measures_of(tally_against_full(view, full, request.tolerance_px),
-                                tally_inner(view, full, request.tolerance_px));
-  }
+  const LineView view = line_view(drawn_lines(*request.view.edges), lines, request.judge);
+  std::optional<LineView> full;
+  if (request.full.edges != nullptr)
+    full = line_view(drawn_lines(*request.full.edges), *request.full.lines, request.judge);
+  result.tally =
+      tally_view({view, &lines, full ? &*full : nullptr}, request.judge, MeasureNeeds::all(), stop);
+  if (stop && stop()) return result;
+  result.maps = match_maps(view, request.judge.tolerance);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }
@@ -73,6 +70,10 @@ Judgement judge_or_say_why(const JudgeRequest& request, const StopAsked& stop) {
 }
 
 }  // namespace
+
+bool is_judged(const Measure& measure, const DrawingTally& tally) {
+  return measure.needs != Need::nothing && (!measure.of_level() || tally.ladder);
+}
 
 LiveJudge::LiveJudge(News& news)
     : BackgroundWork(judge_or_say_why, WhenNewer::finish, WorkPriority::below, news) {}

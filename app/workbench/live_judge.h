@@ -2,10 +2,8 @@
 // and reference lines as plain data. Out: measures and maps of what is right and wrong.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "app/workbench/background_work.h"
@@ -27,16 +25,13 @@ struct JudgeRequest {
   uint64_t id = 0;  ///< Comes back with the result.
   JudgedView view;
   JudgedView full;  ///< The same with the full mesh, for a level of it; may be empty.
-  double tolerance_px = kTolerancePx;
+  JudgeParams judge;
 };
 
 struct Judgement {
   uint64_t id = 0;
-  std::string error;  ///< Why there is nothing else; "" as a rule.
-  Measures measures;
-  std::array<std::optional<double>, kLineClasses.size()>
-      recall;                            ///< By class; none where the view has no such line.
-  std::optional<LadderMeasures> ladder;  ///< Where the request had a full mesh.
+  std::string error;   ///< Why there is nothing else; "" as a rule.
+  DrawingTally tally;  ///< Without faces, and without a ladder where no full mesh was given.
   MatchMaps maps;
   double seconds = 0;  ///< That it took.
 };
@@ -44,6 +39,10 @@ struct Judgement {
 /// What the worker does, on the calling thread. Stops early, with an unfinished result, once `stop` says so.
 /// Errors (input): sizes that differ, a tolerance out of range, a missing part.
 Judgement judge(const JudgeRequest& request, const StopAsked& stop = {});
+
+/// Whether the measure is one of what the window looks at: not the scene's, and of a level only those that
+/// need the full mesh.
+bool is_judged(const Measure& measure, const DrawingTally& tally);
 
 /// A request in work is finished when a newer one comes: its result is still worth showing.
 class LiveJudge : public BackgroundWork<JudgeRequest, Judgement, Key> {

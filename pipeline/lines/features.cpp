@@ -2,9 +2,17 @@
 
 #include <glm/matrix.hpp>
 #include <limits>
+#include <string>
+
+#include "pipeline/base/text.h"
 
 namespace inkbench {
 namespace {
+
+/// The number that a person wrote: 0.3 and not the float beside it.
+double as_written(float value) {
+  return std::stod(shortest(value));
+}
 
 void unstretch(std::vector<Polyline3>& lines, const glm::dmat3& stretch) {
   const glm::dmat3 inverse = glm::inverse(stretch);
@@ -30,6 +38,17 @@ void find_creases(const MeshTopology& full, MeshFeatures& features) {
 }
 
 }  // namespace
+
+FeatureParams::FeatureParams(const JudgeParams& judge)
+    : crease_angle_deg(as_written(judge.crease_angle)),
+      smoothing(as_written(judge.smoothing)),
+      smooth_lines{.suggestive_derivative = as_written(judge.suggestive_derivative),
+                   .suggestive_angle_deg = as_written(judge.suggestive_angle),
+                   .ridge_curvature = as_written(judge.ridge_curvature),
+                   .ridge_sharpness = as_written(judge.ridge_sharpness),
+                   .ridge_anisotropy = as_written(judge.ridge_anisotropy),
+                   .weak_share = as_written(judge.weak_share),
+                   .shortest = as_written(judge.shortest)} {}
 
 MeshFeatures make_features(const MeshTopology& full, const FeatureParams& params) {
   MeshFeatures features;

@@ -11,9 +11,13 @@
 
 namespace inkbench {
 
+/// The judge's, and how the model is stretched.
 struct FeatureParams {
-  double crease_angle_deg = kCreaseAngleDeg;
-  double smoothing = 2.0;  ///< In mean edge lengths; see `make_smooth_surface`.
+  FeatureParams() : FeatureParams(JudgeParams{}) {}
+  explicit FeatureParams(const JudgeParams& judge);
+
+  double crease_angle_deg;
+  double smoothing;  ///< In mean edge lengths; see `make_smooth_surface`.
   SmoothLineParams smooth_lines;
   /// The model's scaling, where it is not the same along all axes: angles and curvature are those of the
   /// stretched mesh. Its rotation and place change nothing and may be left out.

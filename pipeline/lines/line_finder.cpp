@@ -6,10 +6,10 @@
 
 namespace inkbench {
 
-LineFinder::Part LineFinder::part(const LineModel& model) {
+LineFinder::Part LineFinder::part(const LineModel& model, const JudgeParams& judge) {
   if (!full_.contains(model.full_key)) {
     MeshTopology topology = make_topology(*model.full);
-    FeatureParams params;
+    FeatureParams params(judge);
     for (int axis = 0; axis < 3; ++axis) params.stretch[axis][axis] = model.params.scale[axis];
     full_.emplace(model.full_key, FullMesh{bounds_of(*model.full), make_features(topology, params)});
     if (model.drawn == model.full) drawn_.try_emplace(model.drawn_key, std::move(topology));
@@ -26,12 +26,13 @@ void LineFinder::free_unused(const LineRequest& request) {
 }
 
 ReferenceLines LineFinder::find(const LineRequest& request, const StopAsked& stop) {
+  ++searches_;
   const std::lock_guard lock(mutex_);
   free_unused(request);
   std::vector<SceneMesh> scene;
   for (const LineModel& model : request.models) {
     if (stop && stop()) throw Stopped();
-    const Part part = this->part(model);
+    const Part part = this->part(model, request.judge);
     scene.push_back(
         {part.drawn, model_matrix(model.params, part.full->bounds), model.object_id, &part.full->features});
   }

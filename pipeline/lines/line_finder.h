@@ -3,6 +3,7 @@
 // kept from call to call.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -22,13 +23,14 @@ struct LineModel {
   ModelParams params;
   int object_id = 0;
   std::shared_ptr<const Mesh> full, drawn;
-  Key full_key, drawn_key;  ///< Equal for equal meshes; `full_key` of the scale as well.
+  Key full_key, drawn_key;  ///< Equal for equal meshes; `full_key` of the scale and the judge as well.
 };
 
 struct LineRequest {
   Key key;  ///< Of all that decides the lines.
   std::vector<LineModel> models;
   CameraParams camera;
+  JudgeParams judge;
   Image depth, object_id;  ///< As `reference_lines` takes them.
 };
 
@@ -36,6 +38,9 @@ class LineFinder {
  public:
   /// One call at a time; others wait. Throws `Stopped` between models once `stop` says so.
   ReferenceLines find(const LineRequest& request, const StopAsked& stop = {});
+
+  /// How often `find` was called.
+  long searches() const { return searches_; }
 
  private:
   struct FullMesh {
@@ -46,10 +51,11 @@ class LineFinder {
     const FullMesh* full;
     const MeshTopology* drawn;
   };
-  Part part(const LineModel& model);
+  Part part(const LineModel& model, const JudgeParams& judge);
   void free_unused(const LineRequest& request);
 
   std::mutex mutex_;
+  std::atomic<long> searches_ = 0;
   std::map<Key, FullMesh> full_;
   std::map<Key, MeshTopology> drawn_;
 };

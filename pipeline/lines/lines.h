@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/settings/judge_params.h"
+
 namespace inkbench {
 
 /// In order of priority: an edge that is of two classes is given as the earlier one.
@@ -23,9 +25,14 @@ constexpr std::string_view name_of(LineClass line_class) {
   return kLineClassNames[static_cast<size_t>(line_class)];
 }
 
+/// In the order of `kLineClasses`.
+constexpr std::array<Demand JudgeParams::*, kLineClasses.size()> kDemands{
+    &JudgeParams::silhouette, &JudgeParams::boundary, &JudgeParams::crease, &JudgeParams::object,
+    &JudgeParams::suggestive, &JudgeParams::ridge,    &JudgeParams::valley};
+
 /// 1: lines that a drawing must have. 2: lines that it may have.
-constexpr int tier(LineClass line_class) {
-  return line_class <= LineClass::object ? 1 : 2;
+constexpr int tier(const JudgeParams& judge, LineClass line_class) {
+  return judge.*kDemands[static_cast<size_t>(line_class)] == Demand::wanted ? 1 : 2;
 }
 
 /// A visible line in pixel space: x right, y down, the image is [0, W] x [0, H], pixel centres at + 0.5.

@@ -9,10 +9,11 @@
 
 #include "pipeline/lines/chain.h"
 #include "pipeline/lines/topology.h"
+#include "pipeline/settings/judge_params.h"
 
 namespace inkbench {
 
-inline constexpr double kCreaseAngleDeg = 40.0;
+inline constexpr double kCreaseAngleDeg = JudgeParams{}.crease_angle;
 
 /// 1: front-facing, -1: back-facing, 0: without a normal. A face is front-facing if dot(face normal, eye -
 /// point) > 0; one that is seen exactly edge-on counts as back-facing. `mirrored`: the mesh is shown through

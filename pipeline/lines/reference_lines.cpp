@@ -128,10 +128,10 @@ LineMap class_map(const ReferenceLines& lines, LineClass line_class) {
   return map;
 }
 
-LineMap tier_map(const ReferenceLines& lines, int wanted_tier) {
+LineMap tier_map(const ReferenceLines& lines, const JudgeParams& judge, int wanted_tier) {
   LineMap map(lines.width_px, lines.height_px);
   for (const LineClass line_class : kLineClasses) {
-    if (tier(line_class) == wanted_tier) map = united(map, class_map(lines, line_class));
+    if (tier(judge, line_class) == wanted_tier) map = united(map, class_map(lines, line_class));
   }
   return map;
 }

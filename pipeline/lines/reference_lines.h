@@ -46,6 +46,6 @@ void draw_line(const Polyline& line, LineMap& map);
 LineMap class_map(const ReferenceLines& lines, LineClass line_class);
 
 /// The maps of the tier's classes united; `tier` is 1 or 2.
-LineMap tier_map(const ReferenceLines& lines, int tier);
+LineMap tier_map(const ReferenceLines& lines, const JudgeParams& judge, int tier);
 
 }  // namespace inkbench

@@ -10,16 +10,16 @@
 
 namespace inkbench {
 
-/// Thresholds have no unit: curvature is multiplied by the surface's radius (half the diagonal of its
-/// bounding box), its derivative by the radius squared.
+/// From `judge.*`. Thresholds have no unit: curvature is multiplied by the surface's radius (half the
+/// diagonal of its bounding box), its derivative by the radius squared.
 struct SmoothLineParams {
-  double suggestive_derivative = 8.0;  ///< Least derivative of radial curvature towards the eye.
-  double suggestive_angle_deg = 20.0;  ///< Least angle between normal and view.
-  double ridge_curvature = 7.0;        ///< Least curvature across a ridge or valley.
-  double ridge_sharpness = 0.3;        ///< Least - k'' / k^3 across it: 0 on an arc, 3 on a parabola.
-  double ridge_anisotropy = 0.6;       ///< Largest share of the curvature along it in that across it.
-  double weak_share = 0.5;             ///< A line that is strong somewhere goes on down to this share.
-  double shortest = 0.04;              ///< Least length, in radii.
+  double suggestive_derivative = 0;  ///< Least derivative of radial curvature towards the eye.
+  double suggestive_angle_deg = 0;   ///< Least angle between normal and view.
+  double ridge_curvature = 0;        ///< Least curvature across a ridge or valley.
+  double ridge_sharpness = 0;        ///< Least - k'' / k^3 across it: 0 on an arc, 3 on a parabola.
+  double ridge_anisotropy = 0;       ///< Largest share of the curvature along it in that across it.
+  double weak_share = 0;             ///< A line that is strong somewhere goes on down to this share.
+  double shortest = 0;               ///< Least length, in radii.
 };
 
 /// Zeros of the radial curvature, where its derivative in the direction towards the eye is positive, on parts

@@ -13,6 +13,7 @@
 #include "pipeline/settings/display_params.h"
 #include "pipeline/settings/image_params.h"
 #include "pipeline/settings/ink_params.h"
+#include "pipeline/settings/judge_params.h"
 #include "pipeline/settings/light.h"
 #include "pipeline/settings/mesh_params.h"
 #include "pipeline/settings/model.h"
@@ -32,6 +33,7 @@ struct Settings {
   CombineParams combine;
   InkParams ink;
   DisplayParams display;
+  JudgeParams judge;
   BroughtGroups brought;  ///< Of passes that bring a group of their own.
 };
 
@@ -55,6 +57,7 @@ void visit_groups(AnySettings& settings, const Visit& visit, const Wanted& wante
   visit("combine", settings.combine);
   visit("ink", settings.ink);
   visit("display", settings.display);
+  visit("judge", settings.judge);
 }
 
 /// All groups, in the order in which files and tables show them.

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "pipeline/image/image.h"
-#include "studies/measures/ladder_measures.h"
+#include "studies/measures/ladder_tally.h"
 
 namespace inkbench {
 

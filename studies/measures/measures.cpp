@@ -1,171 +1,282 @@
 #include "studies/measures/measures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <type_traits>
+#include <utility>
 
-#include "pipeline/base/text.h"
-#include "studies/measures/distance.h"
+#include "studies/measures/measure_values.h"
 
 namespace inkbench {
 namespace {
 
-double ratio(double part, double whole) {
-  return whole == 0 ? 0 : part / whole;
+using Tally = DrawingTally;
+using Value = MeasureValue;
+
+constexpr auto kMore = Better::more;
+constexpr auto kLess = Better::less;
+constexpr auto kCount = MeasureKind::count;
+
+template <size_t index>
+Value class_recall(const Tally& tally) {
+  return tally.recall[index].share();
 }
 
-double ratio(int64_t part, int64_t whole) {
-  return ratio(static_cast<double>(part), static_cast<double>(whole));
+template <size_t... index>
+void add_recalls(std::vector<Measure>& table, std::index_sequence<index...>) {
+  const auto row = [&](size_t i, Value (*value)(const Tally&)) {
+    const std::string name(kLineClassNames[i]);
+    table.push_back({.key = "recall_" + name,
+                     .help = "Of the " + name + " lines alone, this share is drawn.",
+                     .label = "recall " + name,
+                     .better = kMore,
+                     .needs = Need::reference_class,
+                     .value = value,
+                     .line_class = kLineClasses[i]});
+  };
+  (row(index, class_recall<index>), ...);
 }
 
-double harmonic_mean(double precision, double recall) {
-  return ratio(2 * precision * recall, precision + recall);
+/// What is drawn, held against the lines that should be there.
+std::vector<Measure> agreement_rows() {
+  return {
+      {.key = "empty",
+       .help = "Nothing is drawn and nothing should be.",
+       .label = "empty",
+       .kind = MeasureKind::flag,
+       .value = [](const Tally& t) -> Value { return t.lines.empty() ? 1 : 0; }},
+      {.key = "matched",
+       .help = "Pixels of drawn lines that pair with one of the wanted lines, one to one.",
+       .label = "matched pixels",
+       .better = kMore,
+       .kind = kCount,
+       .value = [](const Tally& t) -> Value { return t.lines.at_tolerance.matched; }},
+      {.key = "predicted",
+       .help = "Pixels of the drawn lines, thinned to one pixel.",
+       .label = "predicted pixels",
+       .kind = kCount,
+       .needs = Need::drawn_lines,
+       .value = [](const Tally& t) -> Value { return t.lines.predicted; }},
+      {.key = "referenced",
+       .help = "Pixels of the lines that should be there, thinned to one pixel.",
+       .label = "referenced pixels",
+       .kind = kCount,
+       .value = [](const Tally& t) -> Value { return t.lines.referenced; }},
+      {.key = "precision",
+       .help = "Of what is drawn, this share belongs.",
+       .label = "precision",
+       .better = kMore,
+       .value = precision_of,
+       .is_headline = true},
+      {.key = "recall",
+       .help = "Of what belongs, this share is drawn.",
+       .label = "recall",
+       .better = kMore,
+       .value = recall_of,
+       .is_headline = true},
+      {.key = "f1",
+       .help = "Precision and recall in one number: 1 draws all that belongs and nothing else.",
+       .label = "f1",
+       .better = kMore,
+       .value = [](const Tally& t) { return f1_with(t, t.lines.at_tolerance); },
+       .is_headline = true},
+      {.key = "f1_t1",
+       .help = "f1 where a line may be off by 1 px only.",
+       .label = "f1 at 1 px",
+       .better = kMore,
+       .value = [](const Tally& t) { return f1_with(t, t.lines.at_1px); }},
+      {.key = "f1_diag",
+       .help = "f1 where a line may be off by 0.75 % of the image's diagonal, as in contour benchmarks.",
+       .label = "f1 at 0.75 % of the diagonal",
+       .better = kMore,
+       .value = [](const Tally& t) { return f1_with(t, t.lines.at_diagonal); }},
+  };
 }
 
-double f1_at(const LineTally& tally, const MatchCounts& counts) {
-  return f1_of({tally.predicted, tally.referenced, counts});
+/// How far off lines are, and what they look like.
+std::vector<Measure> shape_rows() {
+  return {
+      {.key = "chamfer",
+       .help = "How far drawn and wanted lines lie apart on average, each pixel at most 10 px.",
+       .label = "chamfer distance",
+       .unit = "px",
+       .better = kLess,
+       .value = chamfer_of},
+      {.key = "hd95",
+       .help = "All but the worst 5 % of drawn and wanted lines lie nearer together than this.",
+       .label = "95 % Hausdorff distance",
+       .unit = "px",
+       .better = kLess,
+       .value = hd95_of},
+      {.key = "baddeley",
+       .help = "How much the surroundings of drawn and wanted lines differ, over the whole image.",
+       .label = "Baddeley distance",
+       .unit = "px",
+       .better = kLess,
+       .value = baddeley_of},
+      {.key = "breaks_per_100px",
+       .help = "Stretches without a line, for each 100 px of wanted line.",
+       .label = "breaks per 100 px",
+       .better = kLess,
+       .value = breaks_of},
+      {.key = "mean_gap_px",
+       .help = "How long a stretch without a line is on average.",
+       .label = "mean gap",
+       .unit = "px",
+       .better = kLess,
+       .value = mean_gap_of},
+      {.key = "components",
+       .help = "Connected pieces that the drawn lines fall into.",
+       .label = "components",
+       .kind = kCount,
+       .needs = Need::drawn_lines,
+       .value = [](const Tally& t) -> Value { return t.lines.components; }},
+      {.key = "ends_per_100px",
+       .help = "Loose ends, for each 100 px of drawn line.",
+       .label = "ends per 100 px",
+       .better = kLess,
+       .needs = Need::drawn_lines,
+       .value = ends_of},
+      {.key = "thickness_px",
+       .help = "How thick the drawn lines are: half of their pixels are thinner.",
+       .label = "thickness",
+       .unit = "px",
+       .needs = Need::drawn_lines,
+       .value = thickness_of},
+      {.key = "thickness_cov",
+       .help = "How uneven the thickness is: its standard deviation over its mean.",
+       .label = "thickness, deviation / mean",
+       .better = kLess,
+       .needs = Need::drawn_lines,
+       .value = thickness_variation_of},
+      {.key = "jaggedness_px",
+       .help = "How much the ink wobbles along the wanted lines.",
+       .label = "jaggedness",
+       .unit = "px",
+       .better = kLess,
+       .needs = Need::polylines,
+       .value = jaggedness_of},
+      {.key = "bias_px",
+       .help = "How far the ink lies to one side of the wanted lines.",
+       .label = "bias",
+       .unit = "px",
+       .needs = Need::polylines,
+       .value = bias_of},
+      {.key = "ink",
+       .help = "Of the whole image, this share is ink.",
+       .label = "ink",
+       .unit = "share of pixels",
+       .needs = Need::drawn_lines,
+       .value = ink_share_of,
+       .in_every_study = true},
+      {.key = "ink_px",
+       .help = "Pixels of the whole image that are ink.",
+       .label = "ink",
+       .unit = "px",
+       .kind = kCount,
+       .needs = Need::drawn_lines,
+       .value = [](const Tally& t) -> Value { return t.ink; },
+       .in_every_study = true},
+  };
 }
 
-double root(int64_t squared) {
-  return squared == kInfinitelyFar ? INFINITY : std::sqrt(static_cast<double>(squared));
+/// A level of a mesh against the full mesh.
+std::vector<Measure> ladder_rows() {
+  return {
+      {.key = "f1_geometry",
+       .help = "f1 of this mesh's own wanted lines against the full mesh's: what the missing triangles cost.",
+       .label = "f1 geometry",
+       .better = kMore,
+       .needs = Need::full_mesh,
+       .value = [](const Tally& t) { return t.ladder ? Value(f1_of(t.ladder->geometry)) : std::nullopt; }},
+      {.key = "f1_end_to_end",
+       .help =
+           "f1 of the lines drawn here against the full mesh's wanted lines: what triangles and filter cost.",
+       .label = "f1 end to end",
+       .better = kMore,
+       .needs = Need::full_mesh,
+       .value = [](const Tally& t) { return t.ladder ? Value(f1_of(t.ladder->end_to_end)) : std::nullopt; }},
+      {.key = "internal_kept",
+       .help = "Of the inner lines drawn with the full mesh, this share is drawn here too.",
+       .label = "internal kept",
+       .better = kMore,
+       .needs = Need::inner_lines,
+       .value = [](const Tally& t) { return t.inner ? t.inner->kept.share() : std::nullopt; }},
+      {.key = "internal_new",
+       .help = "Of the inner lines drawn here, this share is not drawn with the full mesh.",
+       .label = "internal new",
+       .better = kLess,
+       .needs = Need::inner_lines,
+       .value = [](const Tally& t) { return t.inner ? t.inner->new_share() : std::nullopt; }},
+  };
 }
 
-double truncated_root(int64_t squared) {
-  return std::min<double>(root(squared), kNearLimitPx);
+std::vector<Measure> make_table() {
+  std::vector<Measure> table{{.key = "faces",
+                              .help = "Triangles of the main model as it is drawn.",
+                              .label = "triangles drawn",
+                              .kind = kCount,
+                              .needs = Need::nothing,
+                              .value = [](const Tally& t) -> Value { return t.faces; },
+                              .scale = Scale::log}};
+  const auto add = [&](std::vector<Measure> rows) {
+    std::move(rows.begin(), rows.end(), std::back_inserter(table));
+  };
+  add(agreement_rows());
+  add(shape_rows());
+  add_recalls(table, std::make_index_sequence<kLineClasses.size()>());
+  add(ladder_rows());
+  return table;
 }
-
-double thickness(int64_t squared) {
-  return 2 * root(squared) - 1;
-}
-
-double chamfer_of(const LineTally& tally) {
-  if (tally.empty()) return 0;
-  if (tally.predicted == 0 || tally.referenced == 0) return kNearLimitPx;
-  return (tally.to_reference.mean(truncated_root) + tally.to_prediction.mean(truncated_root)) / 2;
-}
-
-std::optional<double> hd95_of(const LineTally& tally) {
-  const double distance =
-      std::max(tally.to_reference.quantile(0.95, root), tally.to_prediction.quantile(0.95, root));
-  return std::isinf(distance) ? std::nullopt : std::optional(distance);
-}
-
-void set_offsets(const LineOffsets& offsets, Measures& measures) {
-  if (offsets.samples == 0) return;
-  const auto samples = static_cast<double>(offsets.samples);
-  measures.jaggedness_px = std::sqrt(offsets.squared_wobble_sum / samples);
-  measures.bias_px = offsets.sum / samples;
-}
-
-template <auto member>
-std::optional<double> value_of(const Measures& measures) {
-  const auto value = measures.*member;
-  if constexpr (std::is_same_v<decltype(measures.*member), const std::optional<double>&>) {
-    return value;
-  } else {
-    return static_cast<double>(value);
-  }
-}
-
-template <auto member>
-constexpr MeasureInfo count(std::string_view key, std::string_view help) {
-  return {key, help, true, value_of<member>};
-}
-
-template <auto member>
-constexpr MeasureInfo number(std::string_view key, std::string_view help) {
-  return {key, help, false, value_of<member>};
-}
-
-using M = Measures;
-constexpr std::array kMeasures = {
-    count<&M::matched>("matched", "pairs of prediction and reference pixels, one to one"),
-    count<&M::predicted>("predicted", "pixels of the thinned prediction"),
-    count<&M::referenced>("referenced", "pixels of the thinned reference"),
-    number<&M::precision>("precision", "share of the predicted pixels that are right"),
-    number<&M::recall>("recall", "share of the reference pixels that were found"),
-    number<&M::f1>("f1", "harmonic mean of precision and recall"),
-    number<&M::f1_t1>("f1_t1", "f1 at a tolerance of 1 px"),
-    number<&M::f1_diag>("f1_diag", "f1 at a tolerance of 0.0075 x image diagonal"),
-    number<&M::chamfer>("chamfer", "mean distance to the other lines, px, each at most 10"),
-    number<&M::hd95>("hd95", "95th percentile of the distance, px, the worse direction"),
-    number<&M::baddeley>("baddeley", "RMS difference of the distance maps, px"),
-    number<&M::breaks_per_100px>("breaks_per_100px", "missed stretches per 100 px of reference"),
-    number<&M::mean_gap_px>("mean_gap_px", "mean size of a missed stretch, px"),
-    count<&M::components>("components", "connected parts of the prediction"),
-    number<&M::ends_per_100px>("ends_per_100px", "line ends per 100 px of prediction"),
-    number<&M::thickness_px>("thickness_px", "median thickness of the drawn lines, px"),
-    number<&M::thickness_cov>("thickness_cov", "standard deviation of the thickness / its mean"),
-    number<&M::jaggedness_px>("jaggedness_px", "RMS wobble of the ink along the reference, px"),
-    number<&M::bias_px>("bias_px", "mean offset of the ink from the reference, px"),
-    number<&M::ink>("ink", "share of the image that is ink"),
-};
 
 }  // namespace
 
-Measures measures_of(const LineTally& tally) {
-  Measures m;
-  m.empty = tally.empty();
-  m.matched = tally.at_tolerance.matched;
-  m.predicted = tally.predicted;
-  m.referenced = tally.referenced;
-  m.precision = m.empty ? 1 : ratio(tally.at_tolerance.allowed, tally.predicted);
-  m.recall = m.empty ? 1 : ratio(tally.at_tolerance.matched, tally.referenced);
-  m.f1 = f1_at(tally, tally.at_tolerance);
-  m.f1_t1 = f1_at(tally, tally.at_1px);
-  m.f1_diag = f1_at(tally, tally.at_diagonal);
-  m.chamfer = chamfer_of(tally);
-  m.hd95 = hd95_of(tally);
-  m.baddeley = std::sqrt(ratio(tally.baddeley_sum, static_cast<double>(tally.inside_pixels)));
-  m.breaks_per_100px = 100 * ratio(tally.gaps, tally.referenced);
-  m.mean_gap_px = ratio(tally.gap_pixels, tally.gaps);
-  m.components = tally.components;
-  m.ends_per_100px = 100 * ratio(tally.ends, tally.predicted);
-  m.thickness_px = tally.to_background.quantile(0.5, thickness);
-  m.thickness_cov = ratio(tally.to_background.deviation(thickness), tally.to_background.mean(thickness));
-  set_offsets(tally.offsets, m);
-  m.ink = ratio(tally.ink, tally.pixels);
-  return m;
+const std::vector<Measure>& measure_table() {
+  static const std::vector<Measure> kTable = make_table();
+  return kTable;
 }
 
-double f1_of(const F1Counts& counts) {
-  if (counts.predicted == 0 && counts.referenced == 0) return 1;
-  return harmonic_mean(ratio(counts.at_tolerance.allowed, counts.predicted),
-                       ratio(counts.at_tolerance.matched, counts.referenced));
+const Measure* find_measure(std::string_view key) {
+  const std::vector<Measure>& table = measure_table();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const Measure& row) { return row.key == key; });
+  return found == table.end() ? nullptr : &*found;
 }
 
-std::span<const MeasureInfo> measure_list() {
-  return kMeasures;
+std::string_view renamed_measure(std::string_view old_key) {
+  return old_key == "f1_detector" ? "f1" : "";
 }
 
-std::string measure_text(const MeasureInfo& info, const Measures& measures) {
-  const std::optional<double> value = info.value(measures);
-  if (!value) return "";
-  return info.is_count ? fmt::format("{:.0f}", *value) : shortest(*value);
-}
-
-std::string measures_json(const Measures& measures) {
-  std::string json = fmt::format("{{\"empty\": {}", measures.empty);
-  for (const MeasureInfo& info : kMeasures) {
-    const std::string text = measure_text(info, measures);
-    json += fmt::format(", \"{}\": {}", info.key, text.empty() ? "null" : text);
+void MeasureNeeds::add(const Measure& measure) {
+  switch (measure.needs) {
+    case Need::nothing:
+      faces = true;
+      break;
+    case Need::drawn_lines:
+      drawn = drawn || !measure.in_every_study;  // ink is counted anyway
+      break;
+    case Need::reference_lines:
+    case Need::polylines:
+      lines = true;
+      break;
+    case Need::reference_class:
+      classes[static_cast<size_t>(*measure.line_class)] = true;
+      break;
+    case Need::full_mesh:
+      ladder = true;
+      break;
+    case Need::inner_lines:
+      inner = true;
+      break;
   }
-  return json + "}";
 }
 
-std::string measures_table(const Measures& measures) {
-  std::string table;
-  for (const MeasureInfo& info : kMeasures) {
-    const std::optional<double> value = info.value(measures);
-    const std::string text = !value          ? "-"
-                             : info.is_count ? with_commas(static_cast<long long>(*value))
-                                             : fmt::format("{:.4f}", *value);
-    table += fmt::format("{:<17}{:>11}  {}\n", info.key, text, info.help);
-  }
-  return table;
+MeasureNeeds MeasureNeeds::all() {
+  MeasureNeeds needs;
+  for (const Measure& measure : measure_table()) needs.add(measure);
+  return needs;
+}
+
+bool MeasureNeeds::reference_lines() const {
+  return lines || full_mesh() || std::find(classes.begin(), classes.end(), true) != classes.end();
 }
 
 }  // namespace inkbench

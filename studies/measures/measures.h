@@ -1,56 +1,85 @@
-// The measures of line quality, by the names under which `inkbench score` and a study's data.csv give them.
-// In: a tally of one view or of several pooled. Out: numbers, and what each is called and means.
-// Definitions and conventions: docs/measures.md.
+// The table of measures: one row says all that anyone must know of a measure. The window's judge, data.csv,
+// charts, the report, `score`, `measure` and docs/measures.md are loops over it. In: a tally of one view or
+// of several pooled. Out: numbers, and what each is called and means. Definitions: docs/measures.md.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "studies/measures/tally.h"
+#include "pipeline/params/description.h"
+#include "studies/measures/drawing_tally.h"
 
 namespace inkbench {
 
-struct Measures {
-  bool empty = false;  ///< Neither prediction nor reference has a line.
-  int64_t matched = 0, predicted = 0, referenced = 0;
-  double precision = 0, recall = 0, f1 = 0;
-  double f1_t1 = 0, f1_diag = 0;
-  double chamfer = 0;
-  std::optional<double> hd95;  ///< None where lines are infinitely far from the other side's, which has none.
-  double baddeley = 0;
-  double breaks_per_100px = 0, mean_gap_px = 0;
-  int64_t components = 0;
-  double ends_per_100px = 0;
-  double thickness_px = 0, thickness_cov = 0;
-  std::optional<double> jaggedness_px, bias_px;  ///< None without polylines that have ink beside them.
-  double ink = 0;
+/// What must be known beside the scene before a measure has a value. From `reference_lines` on, reference
+/// lines are found.
+enum class Need { nothing, drawn_lines, reference_lines, polylines, reference_class, full_mesh, inner_lines };
+
+enum class Better { more, less, neither };
+
+enum class MeasureKind { number, count, flag };
+
+struct Measure {
+  std::string key;    ///< JSON key and column of data.csv.
+  std::string help;   ///< For a person, in plain words.
+  std::string label;  ///< On a chart's axis.
+  std::string unit;
+  Better better = Better::neither;
+  MeasureKind kind = MeasureKind::number;
+  Need needs = Need::reference_lines;
+  std::optional<double> (*value)(const DrawingTally&) = nullptr;  ///< None where it has none.
+  std::optional<LineClass> line_class = {};                       ///< Of `reference_class`.
+  bool in_every_study = false;                                    ///< A column of data.csv, asked for or not.
+  bool is_headline = false;     ///< A share of 0 to 1 that a judge looks at first.
+  Scale scale = Scale::linear;  ///< Of a chart's axis.
+
+  /// Whether it compares a level of the mesh with the full one.
+  bool of_level() const { return needs == Need::full_mesh || needs == Need::inner_lines; }
 };
 
-Measures measures_of(const LineTally& tally);
+/// All of them, in the order in which tables show them.
+const std::vector<Measure>& measure_table();
 
-/// The F alone; 1 where neither has a line, 0 where one has none.
-double f1_of(const F1Counts& counts);
+/// Null where there is none of that key.
+const Measure* find_measure(std::string_view key);
 
-/// One measure's name and how to read it.
-struct MeasureInfo {
-  std::string_view key;  ///< JSON key and CSV column.
-  std::string_view help;
-  bool is_count = false;
-  std::optional<double> (*value)(const Measures&) = nullptr;
+/// The key that a measure has now, by one that it had before; "" for any other.
+std::string_view renamed_measure(std::string_view old_key);
+
+/// What is to be found out for some measures.
+struct MeasureNeeds {
+  bool faces = false;
+  bool drawn = false;  ///< The drawn lines by themselves.
+  bool lines = false;  ///< And against the reference lines.
+  std::array<bool, kLineClasses.size()> classes{};
+  bool ladder = false, inner = false;
+
+  void add(const Measure& measure);
+  /// Of all measures.
+  static MeasureNeeds all();
+
+  bool reference_lines() const;
+  bool full_mesh() const { return ladder || inner; }
 };
 
-/// All of them except `empty`, in the order of measures.md.
-std::span<const MeasureInfo> measure_list();
+/// The value as shortest text that reads back exactly: counts without a point, flags as true or false; ""
+/// where there is none.
+std::string measure_text(const Measure& measure, const DrawingTally& tally);
 
-/// The value as shortest text that reads back exactly; counts without a point; "" where there is none.
-std::string measure_text(const MeasureInfo& info, const Measures& measures);
+/// One JSON object on one line, a key for each of the measures; null where there is no value.
+std::string measures_json(std::span<const Measure* const> measures, const DrawingTally& tally);
 
-/// One JSON object on one line: `empty` as a boolean, then every measure; null where there is none.
-std::string measures_json(const Measures& measures);
+/// A table for people: key, value, meaning; without flags.
+std::string measures_table(std::span<const Measure* const> measures, const DrawingTally& tally);
 
-/// A table for people: key, value, meaning.
-std::string measures_table(const Measures& measures);
+/// Those that two line maps are enough for.
+std::vector<const Measure*> measures_of_maps();
+std::vector<const Measure*> all_measures();
+
+/// What docs/measures.md shows: every measure with its unit, direction, needs and meaning.
+std::string measures_markdown();
 
 }  // namespace inkbench

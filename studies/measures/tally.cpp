@@ -145,9 +145,7 @@ void MatchCounts::add(const MatchCounts& other) {
 
 void LineTally::add(const LineTally& other) {
   if (other.empty()) return;
-  pixels += other.pixels;
   inside_pixels += other.inside_pixels;
-  ink += other.ink;
   predicted += other.predicted;
   referenced += other.referenced;
   at_tolerance.add(other.at_tolerance);
@@ -173,10 +171,8 @@ LineTally tally_lines(const LinesToMeasure& lines) {
   const int64_t width = ink.width_px(), height = ink.height_px();
 
   LineTally tally;
-  tally.pixels = width * height;
   tally.inside_pixels = std::max<int64_t>(0, width - 2 * kIgnoredBorderPx) *
                         std::max<int64_t>(0, height - 2 * kIgnoredBorderPx);
-  tally.ink = ink.count();
   tally.predicted = counted.prediction.count();
   tally.referenced = counted.reference.count();
   tally_matches(counted, lines, tally);
@@ -204,6 +200,16 @@ F1Counts tally_f1(const LinesToMeasure& lines) {
       lines.allowed == nullptr ? counted.reference : united(counted.reference, counted_lines(*lines.allowed));
   return {counted.prediction.count(), counted.reference.count(),
           match_counts(counted, lines.allowed == nullptr ? nullptr : &both_tiers, lines.tolerance_px)};
+}
+
+double f1_of(const F1Counts& counts) {
+  if (counts.predicted == 0 && counts.referenced == 0) return 1;
+  const auto ratio = [](double part, double whole) { return whole == 0 ? 0 : part / whole; };
+  const double precision =
+      ratio(static_cast<double>(counts.at_tolerance.allowed), static_cast<double>(counts.predicted));
+  const double recall =
+      ratio(static_cast<double>(counts.at_tolerance.matched), static_cast<double>(counts.referenced));
+  return ratio(2 * precision * recall, precision + recall);
 }
 
 void ShareCounts::add(const ShareCounts& other) {

@@ -7,13 +7,11 @@
 #include <span>
 
 #include "pipeline/lines/line_map.h"
+#include "pipeline/settings/judge_params.h"
 #include "studies/measures/histogram.h"
 #include "studies/measures/jaggedness.h"
 
 namespace inkbench {
-
-/// The tolerances that may be asked for, and the headline one.
-inline constexpr double kToleranceFromPx = 0, kToleranceToPx = 100, kTolerancePx = 2;
 
 /// What is compared. All maps have the same size and are not thinned; their borders are ignored.
 struct LinesToMeasure {
@@ -33,9 +31,7 @@ struct MatchCounts {
 };
 
 struct LineTally {
-  int64_t pixels = 0;         ///< Of the whole image.
   int64_t inside_pixels = 0;  ///< Without the border.
-  int64_t ink = 0;            ///< Unthinned prediction.
   int64_t predicted = 0, referenced = 0;
   MatchCounts at_tolerance, at_1px, at_diagonal;
   Histogram to_reference;   ///< Squared distances of the prediction's pixels to the reference.
@@ -80,5 +76,8 @@ struct F1Counts {
 };
 
 F1Counts tally_f1(const LinesToMeasure& lines);
+
+/// The F: 1 where neither has a line, 0 where one has none.
+double f1_of(const F1Counts& counts);
 
 }  // namespace inkbench

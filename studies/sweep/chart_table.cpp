@@ -103,6 +103,10 @@ class ChartReader {
       if (column.name == name) return column;
       names.push_back(column.name);
     }
+    const std::string_view new_name = renamed_measure(name);
+    if (!new_name.empty())
+      refuse(node, "the measure '" + name + "' has another name now",
+             "write \"" + std::string(new_name) + "\"");
     const bool is_measure = holds(known_measures(), name);
     refuse(node, "data.csv will have no column '" + name + "'",
            is_measure ? "add it to the study's measure" : suggest(name, names));

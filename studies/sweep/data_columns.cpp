@@ -1,60 +1,20 @@
 #include "studies/sweep/data_columns.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
 
 #include "studies/sweep/number_columns.h"
 
 namespace inkbench {
 namespace {
 
-/// What is not to be read off a measure's name.
-struct MeasureText {
-  const char* label;
-  const char* unit = "";
-};
-
-const std::map<std::string, MeasureText>& measure_texts() {
-  static const std::map<std::string, MeasureText> kTexts{
-      {"faces", {"triangles drawn"}},
-      {"ink", {"ink", "share of pixels"}},
-      {"ink_px", {"ink", "px"}},
-      {"f1_t1", {"f1 at 1 px"}},
-      {"f1_diag", {"f1 at 0.75 % of the diagonal"}},
-      {"chamfer", {"chamfer distance", "px"}},
-      {"hd95", {"95 % Hausdorff distance", "px"}},
-      {"baddeley", {"Baddeley distance", "px"}},
-      {"breaks_per_100px", {"breaks per 100 px"}},
-      {"ends_per_100px", {"ends per 100 px"}},
-      {"thickness_cov", {"thickness, deviation / mean"}},
-      {"f1_end_to_end", {"f1 end to end"}},
-      {"matched", {"matched pixels"}},
-      {"predicted", {"predicted pixels"}},
-      {"referenced", {"referenced pixels"}},
-  };
-  return kTexts;
-}
-
-/// Measures of which a good drawing has little.
-constexpr std::array<std::string_view, 9> kLeastIsBest{"chamfer",          "hd95",          "baddeley",
-                                                       "breaks_per_100px", "mean_gap_px",   "ends_per_100px",
-                                                       "jaggedness_px",    "thickness_cov", "internal_new"};
-
-ChartColumn measure_column(const std::string& name) {
-  ChartColumn column{.name = name, .label = name, .is_text = name == "empty", .is_measured = true};
-  const auto text = measure_texts().find(name);
-  if (text != measure_texts().end()) {
-    column.label = text->second.label;
-    column.unit = text->second.unit;
-  } else if (name.ends_with("_px")) {
-    column.label.resize(name.size() - 3);
-    column.unit = "px";
-  }
-  std::replace(column.label.begin(), column.label.end(), '_', ' ');
-  if (name == "faces") column.scale = Scale::log;
-  column.least_is_best = std::find(kLeastIsBest.begin(), kLeastIsBest.end(), name) != kLeastIsBest.end();
-  return column;
+ChartColumn measure_column(const Measure& measure) {
+  return {.name = measure.key,
+          .label = measure.label,
+          .unit = measure.unit,
+          .is_text = measure.kind == MeasureKind::flag,
+          .is_measured = true,
+          .least_is_best = measure.better == Better::less,
+          .scale = measure.scale};
 }
 
 ChartColumn varied_column(const StudySpec& spec, Settings& settings, const std::string& key) {
@@ -94,7 +54,7 @@ std::vector<ChartColumn> chart_columns(const StudySpec& spec) {
     columns.push_back({.name = "variant", .label = "variant", .is_text = true, .names_itself = true});
   Settings settings = spec.base;
   for (const std::string& key : varied_keys(spec)) columns.push_back(varied_column(spec, settings, key));
-  for (const std::string& name : number_columns(spec)) columns.push_back(measure_column(name));
+  for (const Measure* measure : study_measures(spec)) columns.push_back(measure_column(*measure));
   return columns;
 }
 

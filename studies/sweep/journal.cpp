@@ -14,6 +14,32 @@ uint64_t count_of(const nlohmann::json& value) {
   return value.get_ref<const nlohmann::json::number_unsigned_t&>();
 }
 
+nlohmann::ordered_json json_of(const std::vector<FileRecord>& files) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const FileRecord& file : files)
+    json.push_back({{"name", file.name}, {"bytes", file.bytes}, {"hash", file.hash}});
+  return json;
+}
+
+std::vector<FileRecord> files_of(const nlohmann::json& json) {
+  std::vector<FileRecord> files;
+  for (const nlohmann::json& file : json)
+    files.push_back({file.at("name"), count_of(file.at("bytes")), file.at("hash")});
+  return files;
+}
+
+/// Errors (json::exception): it is no record.
+CellRecord record_of(const nlohmann::json& line) {
+  CellRecord record{.index = count_of(line.at("cell")), .key = line.at("key")};
+  record.numbers = line.at("numbers").get<std::vector<std::string>>();
+  record.files = files_of(line.at("files"));
+  if (!line.contains("numbers_key")) return record;
+  record.numbers_key = line.at("numbers_key");
+  record.origin = {line.at("drawing_sources"), line.at("measuring_sources"), line.at("renderer")};
+  record.overlays = files_of(line.at("overlays"));
+  return record;
+}
+
 }  // namespace
 
 FileRecord record_file(const fs::path& folder, const std::string& name) {
@@ -22,11 +48,15 @@ FileRecord record_file(const fs::path& folder, const std::string& name) {
 }
 
 std::string journal_line(const CellRecord& record) {
-  nlohmann::ordered_json files = nlohmann::ordered_json::array();
-  for (const FileRecord& file : record.files)
-    files.push_back({{"name", file.name}, {"bytes", file.bytes}, {"hash", file.hash}});
-  const nlohmann::ordered_json line{
-      {"cell", record.index}, {"key", record.key}, {"numbers", record.numbers}, {"files", files}};
+  const nlohmann::ordered_json line{{"cell", record.index},
+                                    {"key", record.key},
+                                    {"numbers_key", record.numbers_key},
+                                    {"drawing_sources", record.origin.drawing_sources},
+                                    {"measuring_sources", record.origin.measuring_sources},
+                                    {"renderer", record.origin.renderer},
+                                    {"numbers", record.numbers},
+                                    {"files", json_of(record.files)},
+                                    {"overlays", json_of(record.overlays)}};
   return line.dump() + "\n";
 }
 
@@ -38,10 +68,7 @@ std::map<size_t, CellRecord> read_journal(const fs::path& path) {
   std::string text;
   while (std::getline(lines, text)) {
     try {
-      const nlohmann::json line = nlohmann::json::parse(text);
-      CellRecord record{count_of(line.at("cell")), line.at("key"), line.at("numbers"), {}};
-      for (const nlohmann::json& file : line.at("files"))
-        record.files.push_back({file.at("name"), count_of(file.at("bytes")), file.at("hash")});
+      CellRecord record = record_of(nlohmann::json::parse(text));
       records[record.index] = std::move(record);
     } catch (const nlohmann::json::exception&) {
       continue;  // torn by a kill: the cell is simply drawn again
@@ -50,8 +77,8 @@ std::map<size_t, CellRecord> read_journal(const fs::path& path) {
   return records;
 }
 
-bool files_intact(const fs::path& folder, const CellRecord& record) {
-  for (const FileRecord& file : record.files) {
+bool files_intact(const fs::path& folder, const std::vector<FileRecord>& files) {
+  for (const FileRecord& file : files) {
     std::error_code error;
     if (fs::file_size(folder / file.name, error) != file.bytes || error) return false;
     if (record_file(folder, file.name).hash != file.hash) return false;

@@ -56,6 +56,7 @@ void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyRe
       {"times",
        {{"written", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
         {"cells_drawn", result.progress.drawn},
+        {"cells_measured", result.progress.measured},
         {"seconds", result.progress.seconds}}}};
   write_file_atomically(folder / "manifest.json",
                         manifest.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

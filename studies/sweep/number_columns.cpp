@@ -1,28 +1,42 @@
 #include "studies/sweep/number_columns.h"
 
-#include "pipeline/lines/lines.h"
-#include "studies/measures/ladder_measures.h"
-#include "studies/measures/measures.h"
 #include "studies/sweep/spec.h"
 
 namespace inkbench {
 
 std::vector<std::string> known_measures() {
-  std::vector<std::string> names{"faces", "empty"};
-  for (const MeasureInfo& info : measure_list()) {
-    if (info.key != "ink") names.emplace_back(info.key);
+  std::vector<std::string> names;
+  for (const Measure& measure : measure_table()) {
+    if (!measure.in_every_study) names.push_back(measure.key);
   }
-  for (const std::string_view line_class : kLineClassNames)
-    names.push_back("recall_" + std::string(line_class));
-  names.emplace_back("f1_detector");
-  for (const LadderMeasureInfo& info : ladder_measure_list()) names.emplace_back(info.key);
   return names;
 }
 
+std::vector<const Measure*> study_measures(const StudySpec& spec) {
+  std::vector<const Measure*> measures;
+  for (const Measure& measure : measure_table()) {
+    if (measure.in_every_study) measures.push_back(&measure);
+  }
+  for (const std::string& key : spec.measures) measures.push_back(find_measure(key));
+  return measures;
+}
+
 std::vector<std::string> number_columns(const StudySpec& spec) {
-  std::vector<std::string> columns{"ink", "ink_px"};
-  columns.insert(columns.end(), spec.measures.begin(), spec.measures.end());
+  std::vector<std::string> columns;
+  for (const Measure* measure : study_measures(spec)) columns.push_back(measure->key);
   return columns;
+}
+
+MeasureNeeds needs_of(const StudySpec& spec) {
+  MeasureNeeds needs;
+  for (const Measure* measure : study_measures(spec)) needs.add(*measure);
+  return needs;
+}
+
+std::vector<std::string> cell_numbers(const StudySpec& spec, const DrawingTally& tally) {
+  std::vector<std::string> numbers;
+  for (const Measure* measure : study_measures(spec)) numbers.push_back(measure_text(*measure, tally));
+  return numbers;
 }
 
 }  // namespace inkbench

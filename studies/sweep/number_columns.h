@@ -1,19 +1,26 @@
-// The numbers of a cell in data.csv: their columns' names.
+// The numbers of a cell in data.csv: which columns, what they need, what stands in them.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "studies/measures/measures.h"
+
 namespace inkbench {
 
 struct StudySpec;
 
-/// What `measure` in a spec may name: `faces` (triangles of the main model as drawn), `empty`, the measures
-/// of docs/measures.md but `ink`, which every study has, `recall_<class>` for each class of reference lines,
-/// and the measures of a level against the full mesh.
+/// What `measure` in a spec may name: all measures but those of every study.
 std::vector<std::string> known_measures();
 
-/// `ink` and `ink_px`, then the spec's measures.
+/// `ink` and `ink_px`, which every study has, then the spec's measures.
+std::vector<const Measure*> study_measures(const StudySpec& spec);
 std::vector<std::string> number_columns(const StudySpec& spec);
+
+/// What must be found out for them.
+MeasureNeeds needs_of(const StudySpec& spec);
+
+/// One text for each of `number_columns`; empty where a measure has no value (a recall over no lines).
+std::vector<std::string> cell_numbers(const StudySpec& spec, const DrawingTally& tally);
 
 }  // namespace inkbench

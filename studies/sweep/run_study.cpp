@@ -12,12 +12,14 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/log.h"
 #include "pipeline/export.h"
 #include "pipeline/lines/drawing.h"
 #include "pipeline/passes/lines/reference.h"
-#include "pipeline/settings/settings_file.h"
-#include "studies/sweep/cell_numbers.h"
+#include "studies/judging/drawing_meter.h"
+#include "studies/sweep/cell_keys.h"
 #include "studies/sweep/manifest.h"
+#include "studies/sweep/number_columns.h"
 #include "studies/sweep/study_folder.h"
 #include "studies/sweep/study_grid.h"
 #include "studies/sweep/study_page.h"
@@ -31,27 +33,16 @@ struct DrawnView {
   CellView place;
   Settings settings;
   std::vector<Picture> pictures;  ///< One for each shown buffer.
+  bool is_kept = false;           ///< Its pictures lie on the disk already, and none are here.
 };
 
 /// A cell of which not all views are stored.
 struct OpenCell {
-  CellTally tally;
-  std::vector<std::string> overlays;  ///< By view; empty until it is drawn.
+  DrawingTally tally;
+  std::vector<std::string> overlays;  ///< By view, where lines are found; empty until it is drawn.
   size_t stored = 0;
   bool failed = false;
 };
-
-Key cell_key(Pipeline& pipeline, const StudySpec& spec, const Cell& cell) {
-  KeyBuilder builder;
-  builder.add(INKBENCH_VERSION);
-  for (size_t view = 0; view < view_count(spec); ++view) {
-    const Frame frame = pipeline.at(view_settings(spec, cell, view));
-    builder.add(settings_text(frame.settings())).add(frame.key());
-  }
-  for (const BufferName buffer : spec.show) builder.add(name_of(buffer));
-  for (const std::string& measure : spec.measures) builder.add(measure);
-  return builder.key();
-}
 
 class StudyRun {
  public:
@@ -59,7 +50,9 @@ class StudyRun {
       : pipeline_(pipeline),
         spec_(spec),
         options_(options),
-        folder_(spec, options.folder, cell_keys(), options.fresh) {
+        origin_(options.origin ? *options.origin : this_origin()),
+        folder_(spec, options.folder, all_keys(), origin_, options.fresh) {
+    for (const std::string& note : folder_.notes()) log_note(note);
     result_.progress.total = cell_count(spec);
     result_.progress.done = folder_.done_count();
   }
@@ -79,11 +72,10 @@ class StudyRun {
   }
 
  private:
-  std::vector<Key> cell_keys() {
-    std::vector<Key> keys;
-    for (size_t i = 0; i < cell_count(spec_); ++i) {
-      keys.push_back(cell_key(pipeline_, spec_, make_cell(spec_, i)));
-    }
+  std::vector<CellKeys> all_keys() {
+    std::vector<CellKeys> keys;
+    for (size_t i = 0; i < cell_count(spec_); ++i)
+      keys.push_back(cell_keys(pipeline_, spec_, make_cell(spec_, i), origin_));
     return keys;
   }
 
@@ -134,14 +126,17 @@ class StudyRun {
 
   DrawnView draw(const CellView& place) {
     DrawnView drawn{place, view_settings(spec_, make_cell(spec_, place.cell), place.view), {}};
+    drawn.is_kept = folder_.work(place.cell) == CellWork::measure;
     const Frame frame = pipeline_.at(drawn.settings);
-    for (const BufferName buffer : spec_.show) drawn.pictures.push_back(frame.picture(buffer));
-    const CellTally tally = meter_.tally(frame, place.view);
-    const std::string overlay = write_overlay(frame);
+    for (const BufferName buffer : spec_.show) {
+      if (!drawn.is_kept) drawn.pictures.push_back(frame.picture(buffer));
+    }
+    const DrawingTally tally = meter_.tally(frame);
+    const std::string overlay = finds_lines(spec_) ? write_overlay(frame) : "";
     const std::lock_guard lock(mutex_);
     OpenCell& open = open_[place.cell];
-    open.overlays.resize(view_count(spec_));
-    open.overlays[place.view] = overlay;
+    open.overlays.resize(finds_lines(spec_) ? view_count(spec_) : 0);
+    if (!overlay.empty()) open.overlays[place.view] = overlay;
     open.tally.add(tally);
     return drawn;
   }
@@ -159,13 +154,13 @@ class StudyRun {
   void store(const DrawnView& drawn) {
     const size_t index = drawn.place.cell;
     try {
-      for (size_t i = 0; i < spec_.show.size(); ++i) {
+      for (size_t i = 0; i < drawn.pictures.size(); ++i) {
         write_png(folder_.path() / folder_.cell_file(index, drawn.place.view, spec_.show[i]),
                   drawn.pictures[i], export_text(drawn.settings, spec_.show[i]));
       }
       if (const std::optional<OpenCell> whole = note_stored(index)) {
-        folder_.add(index, meter_.numbers(whole->tally), whole->overlays);
-        report(true);
+        folder_.add(index, cell_numbers(spec_, whole->tally), whole->overlays);
+        report(drawn.is_kept ? CellEnd::measured : CellEnd::drawn);
       }
     } catch (const Error& error) {
       fail(index, error.what());
@@ -197,23 +192,27 @@ class StudyRun {
       const std::lock_guard lock(mutex_);
       if (!fatal_) fatal_ = std::current_exception();  // not even the failure can be written down
     }
-    report(false);
+    report(CellEnd::failed);
   }
 
-  void report(bool success) {
+  enum class CellEnd { drawn, measured, failed };
+
+  void report(CellEnd end) {
     const std::lock_guard lock(mutex_);
     StudyProgress& progress = result_.progress;
-    ++(success ? progress.done : progress.failed);
-    progress.drawn += success ? 1 : 0;
+    ++(end == CellEnd::failed ? progress.failed : progress.done);
+    progress.drawn += end == CellEnd::drawn ? 1 : 0;
+    progress.measured += end == CellEnd::measured ? 1 : 0;
     progress.seconds = seconds();
     if (options_.on_progress) options_.on_progress(progress);
   }
 
   Pipeline& pipeline_;
   const StudySpec& spec_;
-  CellMeter meter_{pipeline_, spec_};
+  DrawingMeter meter_{pipeline_, needs_of(spec_)};
   const StudyOptions& options_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  ResultOrigin origin_;
   StudyFolder folder_;
   StudyResult result_;
   std::map<size_t, OpenCell> open_;

@@ -6,10 +6,13 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/pipeline.h"
+#include "studies/sweep/result_origin.h"
 #include "studies/sweep/spec.h"
 #include "studies/sweep/study_charts.h"
 
@@ -18,7 +21,8 @@ namespace inkbench {
 struct StudyProgress {
   size_t done = 0;  ///< Cells that are finished, those of earlier runs included.
   size_t total = 0;
-  size_t drawn = 0;  ///< Of them, in this run.
+  size_t drawn = 0;     ///< Of them, in this run.
+  size_t measured = 0;  ///< Of them, measured again in this run, without being drawn.
   size_t failed = 0;
   double seconds = 0;  ///< Since this run started.
 };
@@ -29,7 +33,8 @@ struct StudyOptions {
   bool fail_fast = false;                   ///< Stop at the first cell that fails.
   const std::atomic<bool>* stop = nullptr;  ///< Set from elsewhere to stop after the current cell.
   std::function<void(const StudyProgress&)>
-      on_progress;  ///< After each cell, from any thread, one at a time.
+      on_progress;  /// What makes the results; this build and the current context without it.
+  std::optional<ResultOrigin> origin;
 };
 
 struct StudyResult {

@@ -124,6 +124,10 @@ class SpecReader {
     }
     for (const TomlNode& item : node->items) {
       const std::string name = toml_.text_of(item, "measure");
+      const std::string_view new_name = renamed_measure(name);
+      if (!new_name.empty())
+        throw input_error(toml_.at(item), "the measure '" + name + "' has another name now",
+                          "write \"" + std::string(new_name) + "\"");
       if (std::find(known.begin(), known.end(), name) == known.end()) {
         throw input_error(toml_.at(item), "unknown measure '" + name + "'", suggest(name, known));
       }

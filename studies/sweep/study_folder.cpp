@@ -13,6 +13,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/text.h"
 #include "studies/report/csv.h"
 #include "studies/sweep/data_columns.h"
 #include "studies/sweep/number_columns.h"
@@ -56,6 +57,23 @@ bool is_overlay_file(const std::string& name) {
   return name.starts_with(kFolder) && is_overlay_name(name.substr(kFolder.size()));
 }
 
+/// Why keys differ between two runs, in words: by what their parts say.
+std::string drawing_reason(const ResultOrigin& before, const ResultOrigin& now) {
+  if (before.renderer.empty()) return "an older inkbench drew them, which did not say how";
+  std::vector<std::string> reasons;
+  if (before.renderer != now.renderer)
+    reasons.push_back("they were drawn by another renderer (" + before.renderer + "; this is " +
+                      now.renderer + ")");
+  if (before.drawing_sources != now.drawing_sources) reasons.emplace_back("the sources that draw changed");
+  return reasons.empty() ? "their settings or what they show changed" : join(reasons, ", and ");
+}
+
+/// The same of numbers whose pictures count: renderer and sources that draw are the same.
+std::string measuring_reason(const ResultOrigin& before, const ResultOrigin& now) {
+  return before.measuring_sources != now.measuring_sources ? "the sources that measure changed"
+                                                           : "what is measured, or how it is judged, changed";
+}
+
 std::string file_column(const StudySpec& spec, size_t view, BufferName buffer) {
   const std::string prefix = spec.views.empty() ? "FILE_" : "FILE_" + spec.views[view].name + "_";
   return prefix + std::string(name_of(buffer));
@@ -77,28 +95,74 @@ FolderLock::~FolderLock() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Key> keys, bool fresh)
+StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<CellKeys> keys,
+                         ResultOrigin origin, bool fresh)
     : spec_(spec),
       folder_(std::move(folder)),
       lock_(folder_),
       keys_(std::move(keys)),
+      origin_(std::move(origin)),
       varied_(varied_keys(spec)),
       numbers_(number_columns(spec)) {
   make_folder(folder_ / "cells");
-  make_folder(folder_ / "reference");
-  if (!fresh) done_ = read_journal(folder_ / "journal.jsonl");
-  std::erase_if(done_, [&](const auto& entry) {
-    return entry.first >= keys_.size() || entry.second.key != keys_[entry.first].text() ||
-           entry.second.numbers.size() != numbers_.size() || !names_its_files(entry.second) ||
-           !files_intact(folder_, entry.second);
-  });
+  if (finds_lines(spec_)) make_folder(folder_ / "reference");
+  if (!fresh) take_records(read_journal(folder_ / "journal.jsonl"));
   remove_stale_files();
   rewrite();
 }
 
-bool StudyFolder::is_done(size_t index) const {
+void StudyFolder::take_records(std::map<size_t, CellRecord> records) {
+  for (auto& [index, record] : records) {
+    if (index >= keys_.size()) continue;
+    if (const std::string problem = picture_problem(record); !problem.empty()) {
+      ++drawn_again_[problem];
+    } else if (const std::string lack = number_problem(record); !lack.empty()) {
+      ++measured_again_[lack];
+      record.overlays.clear();
+      unmeasured_[index] = std::move(record);
+    } else {
+      done_[index] = std::move(record);
+    }
+  }
+}
+
+std::string StudyFolder::picture_problem(const CellRecord& record) const {
+  const std::vector<std::string> pictures = picture_files(record.index);
+  if (record.key != keys_[record.index].pictures.text()) return drawing_reason(record.origin, origin_);
+  // A study that grew may number its files with more digits, and a damaged journal may say anything.
+  const bool named =
+      std::equal(pictures.begin(), pictures.end(), record.files.begin(), record.files.end(),
+                 [](const std::string& name, const FileRecord& file) { return file.name == name; });
+  return named && files_intact(folder_, record.files) ? "" : "their files are missing or were changed";
+}
+
+std::string StudyFolder::number_problem(const CellRecord& record) const {
+  if (record.numbers_key != keys_[record.index].numbers.text() || record.numbers.size() != numbers_.size())
+    return measuring_reason(record.origin, origin_);
+  const bool named = record.overlays.size() == (finds_lines(spec_) ? view_count(spec_) : 0) &&
+                     std::all_of(record.overlays.begin(), record.overlays.end(),
+                                 [](const FileRecord& file) { return is_overlay_file(file.name); });
+  return named && files_intact(folder_, record.overlays)
+             ? ""
+             : "their reference lines are missing or were changed";
+}
+
+std::vector<std::string> StudyFolder::notes() const {
+  std::vector<std::string> notes;
+  const auto add = [&](const std::map<std::string, size_t>& reasons, const char* what) {
+    for (const auto& [reason, count] : reasons)
+      notes.push_back(fmt::format("{} {} {} again: {}", with_commas(static_cast<long long>(count)),
+                                  count == 1 ? "cell is" : "cells are", what, reason));
+  };
+  add(drawn_again_, "drawn");
+  add(measured_again_, "measured");
+  return notes;
+}
+
+CellWork StudyFolder::work(size_t index) const {
   const std::lock_guard lock(mutex_);
-  return done_.contains(index);
+  if (done_.contains(index)) return CellWork::none;
+  return unmeasured_.contains(index) ? CellWork::measure : CellWork::draw;
 }
 
 size_t StudyFolder::done_count() const {
@@ -122,17 +186,8 @@ std::vector<std::string> StudyFolder::picture_files(size_t index) const {
 
 std::string StudyFolder::overlay_file(size_t index, size_t view) const {
   const std::lock_guard lock(mutex_);
-  return done_.at(index).files.at(picture_count(spec_) + view).name;
-}
-
-bool StudyFolder::names_its_files(const CellRecord& record) const {
-  const std::vector<std::string> pictures = picture_files(record.index);
-  if (record.files.size() != pictures.size() + view_count(spec_)) return false;
-  const auto overlays = record.files.begin() + static_cast<std::ptrdiff_t>(pictures.size());
-  return std::equal(pictures.begin(), pictures.end(), record.files.begin(), overlays,
-                    [](const std::string& name, const FileRecord& file) { return file.name == name; }) &&
-         std::all_of(overlays, record.files.end(),
-                     [](const FileRecord& file) { return is_overlay_file(file.name); });
+  const std::vector<FileRecord>& overlays = done_.at(index).overlays;
+  return overlays.empty() ? "" : overlays.at(view).name;
 }
 
 std::vector<std::string> StudyFolder::columns() const {
@@ -183,16 +238,26 @@ std::string StudyFolder::data_text() const {
 void StudyFolder::remove_stale_files() const {
   remove_abandoned_files(folder_);
   std::set<std::string> used;
-  for (const auto& [index, record] : done_) {
-    for (const FileRecord& file : record.files) used.insert(file.name);
+  for (const auto* records : {&done_, &unmeasured_}) {
+    for (const auto& [index, record] : *records) {
+      for (const auto* files : {&record.files, &record.overlays}) {
+        for (const FileRecord& file : *files) used.insert(file.name);
+      }
+    }
   }
   remove_unused(folder_ / "cells", used, is_cell_name);
-  remove_unused(folder_ / "reference", used, is_overlay_name);
+  std::error_code error;
+  if (fs::is_directory(folder_ / "reference", error))
+    remove_unused(folder_ / "reference", used, is_overlay_name);
 }
 
 void StudyFolder::rewrite() const {
+  std::map<size_t, const CellRecord*> records;
+  for (const auto* group : {&done_, &unmeasured_}) {
+    for (const auto& [index, record] : *group) records[index] = &record;
+  }
   std::string journal;
-  for (const auto& [index, record] : done_) journal += journal_line(record);
+  for (const auto& [index, record] : records) journal += journal_line(*record);
   write_file_atomically(folder_ / "journal.jsonl", journal);
   write_file_atomically(folder_ / "data.csv", data_text());
 }
@@ -210,10 +275,20 @@ void StudyFolder::append(const fs::path& path, const std::string& line) const {
 
 void StudyFolder::add(size_t index, std::vector<std::string> numbers,
                       const std::vector<std::string>& overlays) {
-  CellRecord record{index, keys_[index].text(), std::move(numbers), {}};
-  for (const std::string& file : picture_files(index)) record.files.push_back(record_file(folder_, file));
-  for (const std::string& file : overlays) record.files.push_back(record_file(folder_, file));
+  CellRecord record{.index = index,
+                    .key = keys_[index].pictures.text(),
+                    .numbers_key = keys_[index].numbers.text(),
+                    .origin = origin_,
+                    .numbers = std::move(numbers)};
+  for (const std::string& file : overlays) record.overlays.push_back(record_file(folder_, file));
+  if (work(index) == CellWork::draw) {
+    for (const std::string& file : picture_files(index)) record.files.push_back(record_file(folder_, file));
+  }
   const std::lock_guard lock(mutex_);
+  if (const auto drawn = unmeasured_.find(index); drawn != unmeasured_.end()) {
+    record.files = std::move(drawn->second.files);
+    unmeasured_.erase(drawn);
+  }
   append(folder_ / "data.csv", csv_line(row(index, record.numbers, "")));
   append(folder_ / "journal.jsonl", journal_line(record));
   done_[index] = std::move(record);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/sweep/cell_keys.h"
 #include "studies/sweep/journal.h"
 #include "studies/sweep/spec.h"
 
@@ -25,15 +26,25 @@ class FolderLock {
   int descriptor_;
 };
 
+/// What a cell still lacks.
+enum class CellWork { none, measure, draw };
+
 class StudyFolder {
  public:
-  /// `keys[i]` is cell i's key now. Reads the journal, drops every cell whose key or files are not what it
-  /// says, with its files and what a killed run left unfinished, and starts journal and data.csv anew with
-  /// the rest. Errors (work): the folder cannot be written.
-  StudyFolder(const StudySpec& spec, std::filesystem::path folder, std::vector<Key> keys, bool fresh);
+  /// `keys[i]` are cell i's keys now, `origin` what this run makes results with. Reads the journal, drops
+  /// every cell whose pictures' key or files are not what it says, with its files and what a killed run left
+  /// unfinished, and starts journal and data.csv anew with the rest. A cell whose pictures are good and whose
+  /// numbers are of another key lacks its numbers. Errors (work): the folder cannot be written.
+  StudyFolder(const StudySpec& spec, std::filesystem::path folder, std::vector<CellKeys> keys,
+              ResultOrigin origin, bool fresh);
 
-  bool is_done(size_t index) const;
+  CellWork work(size_t index) const;
+  bool is_done(size_t index) const { return work(index) == CellWork::none; }
   size_t done_count() const;
+
+  /// What an earlier run left that is made again, and why: "3 cells are drawn again: ...".
+  std::vector<std::string> notes() const;
+
   const std::filesystem::path& path() const { return folder_; }
 
   /// "cells/0001_final.png", or with views "cells/0001_front_final.png"; relative to the folder.
@@ -43,15 +54,16 @@ class StudyFolder {
   std::vector<std::string> picture_files(size_t index) const;
 
   /// The reference lines of a finished cell's view, relative to the folder: "reference/KEY.svg", which cells
-  /// share where they are the same.
+  /// share where they are the same. "" where none were looked for.
   std::string overlay_file(size_t index, size_t view) const;
 
   /// The columns of data.csv, and a finished or failed cell's fields; empty for any other.
   std::vector<std::string> columns() const;
   std::vector<std::string> fields(size_t index) const;
 
-  /// Appends a finished cell to journal and data.csv, with a file of reference lines for each view. All its
-  /// files are on the disk already. Safe from any thread.
+  /// Appends a finished cell to journal and data.csv, with a file of reference lines for each view, or none.
+  /// All its files are on the disk already; of a cell that lacked its numbers the pictures stay as they are.
+  /// Safe from any thread.
   void add(size_t index, std::vector<std::string> numbers, const std::vector<std::string>& overlays);
   void add_failure(size_t index, const std::string& message);
 
@@ -60,9 +72,11 @@ class StudyFolder {
   void finish();
 
  private:
-  /// Whether the files are named as the cell's are now: a study that grew may number them with more digits,
-  /// and a damaged journal may say anything.
-  bool names_its_files(const CellRecord& record) const;
+  /// Sorts the records of an earlier run into `done_`, `unmeasured_` and those that are dropped.
+  void take_records(std::map<size_t, CellRecord> records);
+  /// Why the pictures or the numbers do not count; "" where they do.
+  std::string picture_problem(const CellRecord& record) const;
+  std::string number_problem(const CellRecord& record) const;
   std::vector<std::string> row(size_t index, const std::vector<std::string>& numbers,
                                const std::string& error) const;
   std::string data_text() const;
@@ -73,10 +87,14 @@ class StudyFolder {
   const StudySpec& spec_;
   std::filesystem::path folder_;
   FolderLock lock_;
-  std::vector<Key> keys_;
+  std::vector<CellKeys> keys_;
+  ResultOrigin origin_;
   std::vector<std::string> varied_;   ///< Keys that cells set, in order of first use.
   std::vector<std::string> numbers_;  ///< Their columns.
   std::map<size_t, CellRecord> done_;
+  std::map<size_t, CellRecord> unmeasured_;    ///< Their pictures count.
+  std::map<std::string, size_t> drawn_again_;  ///< Cells by the reason.
+  std::map<std::string, size_t> measured_again_;
   std::map<size_t, std::string> failed_;
   mutable std::mutex mutex_;
 };

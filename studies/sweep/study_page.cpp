@@ -51,7 +51,7 @@ PageCell page_cell(const StudySpec& spec, const StudyFolder& folder, size_t inde
   if (!cell.row.empty()) cell.row.resize(columns);
   if (folder.is_done(index)) {
     cell.pictures = folder.picture_files(index);
-    for (size_t view = 0; view < view_count(spec); ++view)
+    for (size_t view = 0; finds_lines(spec) && view < view_count(spec); ++view)
       cell.overlays.push_back(folder.overlay_file(index, view));
   } else if (!cell.row.empty()) {
     cell.error = cell.row.back();

@@ -61,11 +61,11 @@ using Row = std::map<std::string, std::string>;
 void expect_sound(const OddMesh& odd, const Row& full, const Row& level) {
   EXPECT_EQ(std::stoul(full.at("faces")), odd.faces);
   EXPECT_EQ(full.at("f1_geometry"), "1") << "against itself";
-  EXPECT_EQ(full.at("f1_end_to_end"), full.at("f1_detector"));
+  EXPECT_EQ(full.at("f1_end_to_end"), full.at("f1"));
   EXPECT_LE(std::stoul(level.at("faces")), odd.faces);
   EXPECT_GT(std::stoul(level.at("faces")), 0U);
   for (const Row* row : {&full, &level}) {
-    for (const char* column : {"precision", "recall", "f1_detector", "f1_geometry", "f1_end_to_end"}) {
+    for (const char* column : {"precision", "recall", "f1", "f1_geometry", "f1_end_to_end"}) {
       const double value = std::stod(row->at(column));
       EXPECT_TRUE(value > 0 && value <= 1) << column << " " << value;
     }

@@ -4,6 +4,8 @@
 #include <set>
 #include <sstream>
 
+#include "pipeline/base/text.h"
+#include "studies/measures/measures.h"
 #include "tests/cli/cli_test.h"
 
 namespace inkbench {
@@ -29,8 +31,14 @@ std::vector<std::string> keys_of_text(const std::string& text) {
 }
 
 TEST_F(Usage, help_of_every_command_has_an_example) {
-  for (const std::vector<std::string>& command :
-       {std::vector<std::string>{}, {"render"}, {"study"}, {"score"}, {"decimate"}, {"params"}, {"info"}}) {
+  for (const std::vector<std::string>& command : {std::vector<std::string>{},
+                                                  {"render"},
+                                                  {"study"},
+                                                  {"score"},
+                                                  {"measure"},
+                                                  {"decimate"},
+                                                  {"params"},
+                                                  {"info"}}) {
     std::vector<std::string> arguments = command;
     arguments.emplace_back("--help");
     const CommandResult result = inkbench(arguments);
@@ -54,8 +62,8 @@ TEST_F(Usage, version_is_one_line) {
 }
 
 TEST_F(Usage, no_command_names_the_commands) {
-  EXPECT_TRUE(
-      is_input_error(inkbench({}), {"render", "study", "score", "decimate", "params", "info", "--help"}));
+  EXPECT_TRUE(is_input_error(
+      inkbench({}), {"render", "study", "score", "measure", "decimate", "params", "info", "--help"}));
 }
 
 TEST_F(Usage, unknown_command_is_named) {
@@ -125,15 +133,26 @@ TEST_F(Usage, params_defaults_are_the_papers) {
   EXPECT_THAT(text.out, HasSubstr("image.precision = \"float\""));
 }
 
-TEST_F(Usage, parameter_table_in_the_docs_is_the_programs) {
-  const fs::path page = fs::path(INKBENCH_SOURCE_DIR) / "docs/parameters.md";
-  ASSERT_TRUE(fs::exists(page)) << page << " is missing";
-  const std::string marker = "<!-- generated: inkbench params --format markdown -->\n";
-  const std::string content = content_of(page);
-  const size_t start = content.find(marker);
-  ASSERT_NE(start, std::string::npos) << page << " has no line " << marker;
-  EXPECT_EQ(content.substr(start + marker.size()), inkbench({"params", "--format", "markdown"}).out)
-      << "put the output of `inkbench params --format markdown` below the marker in " << page;
+TEST_F(Usage, tables_in_the_docs_are_the_programs) {
+  for (const auto& [name, command] :
+       {std::pair{"parameters.md", std::vector<std::string>{"params", "--format", "markdown"}},
+        {"measures.md", {"measure", "--list", "markdown"}}}) {
+    const std::string content = content_of(fs::path(INKBENCH_SOURCE_DIR) / "docs" / name);
+    const std::string marker = "<!-- generated: inkbench " + join(command, " ") + " -->\n";
+    const size_t start = content.find(marker);
+    ASSERT_NE(start, std::string::npos) << name << " has no line " << marker;
+    EXPECT_EQ(content.substr(start + marker.size()), inkbench(command).out)
+        << "scripts/update_docs.sh writes it anew";
+  }
+}
+
+TEST_F(Usage, every_measure_is_defined_in_the_docs) {
+  std::string page = content_of(fs::path(INKBENCH_SOURCE_DIR) / "docs/measures.md");
+  page.resize(page.find("## All measures"));
+  for (const Measure& measure : measure_table()) {
+    const std::string key = measure.line_class ? "recall_CLASS" : measure.key;
+    EXPECT_THAT(page, HasSubstr("`" + key + "`"));
+  }
 }
 
 TEST_F(Usage, params_needs_no_gl) {

@@ -22,7 +22,8 @@ void require(bool condition) {
 }
 
 constexpr const char* kSpec =
-    "show = [\"final\"]\n[[view]]\nname = \"front\"\n[[view]]\nname = \"side\"\n[view.set]\ncamera.fov = 30\n"
+    "show = [\"final\"]\nmeasure = [\"f1\"]\n[[view]]\nname = \"front\"\n[[view]]\nname = "
+    "\"side\"\n[view.set]\ncamera.fov = 30\n"
     "[[axis]]\nkey = \"combine.k_depth\"\nvalues = [0.25, 0.5, 1]\n";
 
 /// A finished study of three cells in two views, in memory where the system has such a place.
@@ -30,12 +31,15 @@ struct FinishedStudy {
   ScratchFolder scratch{memory_place()};
   const fs::path& folder = scratch.path();
   StudySpec spec = parse_spec(kSpec, "/studies/s.toml", {});
-  std::vector<Key> keys;
+  std::vector<CellKeys> keys;
   std::string journal;
 
   FinishedStudy() {
-    for (size_t i = 0; i < cell_count(spec); ++i) keys.push_back(KeyBuilder().add(std::to_string(i)).key());
-    StudyFolder study(spec, folder, keys, false);
+    for (size_t i = 0; i < cell_count(spec); ++i) {
+      const Key key = KeyBuilder().add(std::to_string(i)).key();
+      keys.push_back({key, key});
+    }
+    StudyFolder study(spec, folder, keys, {"drawing", "measuring", "renderer"}, false);
     for (size_t i = 0; i < keys.size(); ++i) finish_cell(study, i);
     study.finish();
     journal = read_file(folder / "journal.jsonl");
@@ -50,7 +54,7 @@ struct FinishedStudy {
       overlays.push_back(fmt::format("reference/{:016x}.svg", view));
       write_file_atomically(folder / overlays.back(), "lines");
     }
-    study.add(index, {"0.5", "100"}, overlays);
+    study.add(index, {"0.5", "100", "0.25"}, overlays);
   }
 };
 
@@ -75,7 +79,7 @@ void check_lines(const fs::path& journal) {
 
 /// What is taken as done is what was done; then the study is made whole again for the next input.
 void check_resume(FinishedStudy& good) {
-  StudyFolder study(good.spec, good.folder, good.keys, false);
+  StudyFolder study(good.spec, good.folder, good.keys, {"drawing", "measuring", "renderer"}, false);
   for (size_t i = 0; i < good.keys.size(); ++i) {
     if (!study.is_done(i)) {
       good.finish_cell(study, i);

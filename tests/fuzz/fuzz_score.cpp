@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "studies/measures/diff_picture.h"
-#include "studies/measures/ladder_measures.h"
+#include "studies/measures/ladder_tally.h"
 #include "studies/measures/matching.h"
-#include "studies/measures/measures.h"
 #include "tests/fuzz/line_input.h"
 #include "tests/fuzz/plain_lines.h"
+#include "tests/unit/measured.h"
 
 namespace inkbench {
 namespace {
@@ -52,32 +52,34 @@ void check_matching(const LineMap& a, const LineMap& b, const Tolerance& small, 
   require(pairs == matching.pairs);
 }
 
-void check_empties(const Measures& m) {
-  const bool one_empty = (m.predicted == 0) != (m.referenced == 0);
-  require(m.empty == (m.predicted == 0 && m.referenced == 0));
-  if (m.empty) {
-    require(m.precision == 1 && m.recall == 1 && m.f1 == 1 && m.f1_t1 == 1 && m.f1_diag == 1);
-    require(m.chamfer == 0 && m.baddeley == 0 && m.hd95 == 0.0);
+void check_empties(const Measured& m) {
+  const bool one_empty = (m["predicted"] == 0) != (m["referenced"] == 0);
+  require(m.empty() == (m["predicted"] == 0 && m["referenced"] == 0));
+  if (m.empty()) {
+    require(m["precision"] == 1 && m["recall"] == 1 && m["f1"] == 1 && m["f1_t1"] == 1 && m["f1_diag"] == 1);
+    require(m["chamfer"] == 0 && m["baddeley"] == 0 && m["hd95"] == 0.0);
   }
-  if (one_empty) require(m.recall == 0 && m.f1 == 0 && m.f1_t1 == 0 && m.f1_diag == 0 && m.chamfer == 10);
+  if (one_empty)
+    require(m["recall"] == 0 && m["f1"] == 0 && m["f1_t1"] == 0 && m["f1_diag"] == 0 && m["chamfer"] == 10);
 }
 
-void check_ranges(const Measures& m) {
-  for (const double value : {m.precision, m.recall, m.f1, m.f1_t1, m.f1_diag, m.ink})
+void check_ranges(const Measured& m) {
+  for (const double value : {m["precision"], m["recall"], m["f1"], m["f1_t1"], m["f1_diag"], m["ink"]})
     require(value >= 0 && value <= 1);
-  require(m.f1 <= std::max(m.precision, m.recall) + 1e-12);
-  require(m.chamfer >= 0 && m.chamfer <= 10 && m.baddeley >= 0 && m.baddeley <= 10);
-  require(m.matched <= std::min(m.predicted, m.referenced));
-  require(m.thickness_cov >= 0 && m.mean_gap_px >= 0 && (m.predicted == 0 || m.thickness_px >= 1));
-  if (m.jaggedness_px) require(*m.jaggedness_px >= 0 && std::abs(*m.bias_px) <= 4);
+  require(m["f1"] <= std::max(m["precision"], m["recall"]) + 1e-12);
+  require(m["chamfer"] >= 0 && m["chamfer"] <= 10 && m["baddeley"] >= 0 && m["baddeley"] <= 10);
+  require(m["matched"] <= std::min(m["predicted"], m["referenced"]));
+  require(m["thickness_cov"] >= 0 && m["mean_gap_px"] >= 0 &&
+          (m["predicted"] == 0 || m["thickness_px"] >= 1));
+  if (m.has("jaggedness_px")) require(m["jaggedness_px"] >= 0 && std::abs(m["bias_px"]) <= 4);
   check_empties(m);
-  const nlohmann::json json = nlohmann::json::parse(measures_json(m));
-  require(json.size() == measure_list().size() + 1);
+  const nlohmann::json json = nlohmann::json::parse(m.json());
+  require(json.size() == measures_of_maps().size());
   for (const auto& [key, value] : json.items()) {
     const bool is_finite = value.is_number() && std::isfinite(value.get<double>());
     require(is_finite || value.is_null() || (key == "empty" && value.is_boolean()));
   }
-  require(!measures_table(m).empty());
+  require(!measures_table(measures_of_maps(), m.tally()).empty());
 }
 
 /// Everything but the matchings' sizes at the fixed tolerances and the sums along polylines.
@@ -85,34 +87,36 @@ LineTally check_tally(const LinesToMeasure& lines, const Tolerance& tolerance) {
   const LineTally tally = tally_lines(lines);
   const LineMap p = counted_lines(lines.prediction), r = counted_lines(lines.reference);
   const LineMap both = lines.allowed == nullptr ? r : united(r, counted_lines(*lines.allowed));
-  const Measures m = measures_of(tally);
+  const Measured m(tally);
   check_ranges(m);
-  require(m.predicted == p.count() && m.referenced == r.count());
-  require(m.matched == plain_matched(p, r, tolerance.squared));
+  require(m["predicted"] == p.count() && m["referenced"] == r.count());
+  require(m["matched"] == plain_matched(p, r, tolerance.squared));
   const int64_t allowed = plain_matched(p, both, tolerance.squared);
-  require(tally.at_tolerance.allowed == allowed && allowed >= m.matched);
-  if (!m.empty) require(m.precision == share(allowed, p.count()) && m.recall == share(m.matched, r.count()));
+  require(tally.at_tolerance.allowed == allowed && allowed >= m["matched"]);
+  if (!m.empty())
+    require(m["precision"] == share(allowed, p.count()) && m["recall"] == share(m["matched"], r.count()));
   const LineMap gaps = plain_far(r, p, tolerance.squared);
   require(tally.gap_pixels == gaps.count() && tally.gaps == plain_parts(gaps));
-  require(m.components == plain_parts(p) && tally.ends <= p.count());
+  require(m["components"] == plain_parts(p) && tally.ends <= p.count());
   require(tally.to_reference.total() == p.count() && tally.to_prediction.total() == r.count());
-  require(tally.ink == without_border(lines.prediction).count());
+  require(tally_maps(lines).ink == without_border(lines.prediction).count());
   const F1Counts counts = tally_f1(lines);
-  require(f1_of(counts) == m.f1 && counts.predicted == m.predicted && counts.referenced == m.referenced);
+  require(f1_of(counts) == m["f1"] && counts.predicted == m["predicted"] &&
+          counts.referenced == m["referenced"]);
   const ShareCounts recall = tally_recall(lines.prediction, lines.reference, lines.tolerance_px);
-  require(recall.matched == m.matched && recall.total == m.referenced);
+  require(recall.matched == m["matched"] && recall.total == m["referenced"]);
   return tally;
 }
 
 void check_pooling(const LineTally& a, const LineTally& b) {
   LineTally sum = a;
   sum.add(b);
-  const Measures m = measures_of(sum);
+  const Measured m(sum);
   check_ranges(m);
-  require(m.matched == a.at_tolerance.matched + b.at_tolerance.matched);
-  require(m.predicted == a.predicted + b.predicted && m.referenced == a.referenced + b.referenced);
-  if (b.empty()) require(measures_json(m) == measures_json(measures_of(a)));
-  if (!m.empty) require(m.recall == share(m.matched, m.referenced));
+  require(m["matched"] == a.at_tolerance.matched + b.at_tolerance.matched);
+  require(m["predicted"] == a.predicted + b.predicted && m["referenced"] == a.referenced + b.referenced);
+  if (b.empty()) require(m.json() == Measured(a).json());
+  if (!m.empty()) require(m["recall"] == share(m["matched"], m["referenced"]));
 }
 
 void check_inner(const LineView& level, const LineView& full, const Tolerance& tolerance) {

@@ -1,5 +1,6 @@
-// Every parameter does something: changed from its value it changes a stage's key and an image. The test
-// walks the descriptions, so a parameter added tomorrow is tried without a line here.
+// Every parameter does something: changed from its value it changes a stage's key and an image; one of the
+// judge changes the key of the numbers, and the reference lines or a number. The test walks the descriptions,
+// so a parameter added tomorrow is tried without a line here.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,7 +11,9 @@
 #include "pipeline/base/text.h"
 #include "pipeline/image/image_file.h"
 #include "pipeline/mesh/shapes/primitives.h"
+#include "pipeline/passes/lines/reference.h"
 #include "pipeline/pipeline.h"
+#include "studies/judging/drawing_meter.h"
 #include "tests/gl/checks.h"
 
 namespace inkbench {
@@ -120,8 +123,8 @@ bool differ(const Image& a, const Image& b) {
 }
 
 /// A mesh with triangles to spare, whose every level and subdivision looks different, as an OBJ file.
-std::string bumpy_sphere(float waves) {
-  const Mesh sphere = make_sphere(16);
+std::string bumpy_sphere(float waves, int segments = 16) {
+  const Mesh sphere = make_sphere(segments);
   std::string text;
   for (const glm::vec3& p : sphere.positions) {
     const glm::vec3 bumpy = p * (1.0F + 0.2F * std::sin(waves * p.x) * std::sin(waves * p.y + 1.0F));
@@ -141,6 +144,13 @@ class ParamsLive : public testing::Test {
     first_mesh_ = folder_.write("first.obj", bumpy_sphere(5.0F)).string();
     other_mesh_ = folder_.write("other.obj", bumpy_sphere(3.0F)).string();
     rich_ = make_rich_scene();
+    judged_ = rich_;  // where the lines of the full mesh are seen, those of its smooth bends too
+    judged_.image = {320, 240, Precision::float32};
+    judged_.mesh.faces = 0;
+    for (ModelParams& model : judged_.models) {
+      if (model.shape == Shape::mesh) model.mesh = folder_.write("fine.obj", bumpy_sphere(8.0F, 64)).string();
+      if (model.shape == Shape::mesh) model.size = 3.0F;
+    }
   }
 
   /// All shapes, both kinds of light, ramps, a free background, and a floor that the near plane cuts.
@@ -164,6 +174,27 @@ class ParamsLive : public testing::Test {
     }
     return false;
   }
+  bool lines_change(const Settings& before, const Settings& after) {
+    const std::vector<Polyline> lines = pipeline_.at(before).value<ReferencePass>()->polylines;
+    return pipeline_.at(after).value<ReferencePass>()->polylines != lines;
+  }
+  bool judgements_change(const Settings& before, const Settings& after) {
+    const std::string numbers = measures_json(all_measures(), meter_.tally(pipeline_.at(before)));
+    return measures_json(all_measures(), meter_.tally(pipeline_.at(after))) != numbers ||
+           lines_change(before, after);
+  }
+  bool buffers_change(const Settings& before, const Settings& after) {
+    const Frame a = pipeline_.at(before), b = pipeline_.at(after);
+    const std::vector<BufferName> buffers = framebuffers();
+    return std::any_of(buffers.begin(), buffers.end(),
+                       [&](BufferName each) { return a.key(each) != b.key(each); });
+  }
+  /// A judge changes no picture.
+  bool judge_is_live(const Settings& before, const Settings& after) {
+    return !buffers_change(before, after) &&
+           meter_.key(pipeline_.at(before)) != meter_.key(pipeline_.at(after)) &&
+           judgements_change(before, after);
+  }
   Settings with_change(const Settings& settings, const std::string& key) const {
     Settings result = settings;
     const Param param = find_param(result, key, "test");
@@ -171,9 +202,10 @@ class ParamsLive : public testing::Test {
     return result;
   }
   bool is_live(const std::string& key) {
-    for (const Settings& arranged : arrangements(rich_, key)) {
+    for (const Settings& arranged : arrangements(key.starts_with("judge.") ? judged_ : rich_, key)) {
       const Settings after = with_change(arranged, key);
-      const bool live = key.starts_with("display.")
+      const bool live = key.starts_with("judge.") ? judge_is_live(arranged, after)
+                        : key.starts_with("display.")
                             ? !keys_change(arranged, after) && pictures_change(arranged, after)
                             : keys_change(arranged, after) && images_change(arranged, after);
       if (live) return true;
@@ -183,9 +215,10 @@ class ParamsLive : public testing::Test {
 
   TempFolder folder_;
   std::string first_mesh_, other_mesh_;
-  Settings rich_;
+  Settings rich_, judged_;
   Pipeline before_;  // keeps the images that changes are compared with
   Pipeline pipeline_;
+  DrawingMeter meter_{pipeline_, MeasureNeeds::all()};
 };
 
 Settings ParamsLive::make_rich_scene() const {
@@ -233,6 +266,17 @@ TEST_F(ParamsLive, every_parameter_changes_a_key_and_an_image) {
   for (const std::string& key : keys) {
     const bool exempt = std::find(no_thickness.begin(), no_thickness.end(), key) != no_thickness.end();
     EXPECT_TRUE(exempt || is_live(key)) << key << " does nothing";
+  }
+}
+
+TEST_F(ParamsLive, reference_lines_have_another_key_just_where_the_judge_changes_them) {
+  for (const std::string& key : all_keys(judged_)) {
+    if (!key.starts_with("judge.")) continue;
+    const Settings after = with_change(judged_, key);
+    EXPECT_EQ(
+        pipeline_.at(judged_).key(BufferName::reference) != pipeline_.at(after).key(BufferName::reference),
+        lines_change(judged_, after))
+        << key;
   }
 }
 

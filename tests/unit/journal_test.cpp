@@ -14,7 +14,13 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 CellRecord record(size_t index) {
-  return {index, "key" + std::to_string(index), {"0.25", "4096"}, {{"cells/a.png", 12, "hash"}}};
+  return {.index = index,
+          .key = "key" + std::to_string(index),
+          .numbers_key = "numbers",
+          .origin = {"drawing", "measuring", "renderer"},
+          .numbers = {"0.25", "4096"},
+          .files = {{"cells/a.png", 12, "hash"}},
+          .overlays = {{"reference/a.svg", 3, "other"}}};
 }
 
 class Journal : public ::testing::Test {
@@ -32,6 +38,10 @@ TEST_F(Journal, lines_read_back_as_written) {
   const auto records = read(journal_line(record(0)) + journal_line(awkward));
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records.at(0).key, "key0");
+  EXPECT_EQ(records.at(0).numbers_key, "numbers");
+  EXPECT_EQ(records.at(0).origin, record(0).origin);
+  ASSERT_EQ(records.at(0).overlays.size(), 1U);
+  EXPECT_EQ(records.at(0).overlays[0].name, "reference/a.svg");
   EXPECT_EQ(records.at(7).index, 7U);
   EXPECT_EQ(records.at(7).numbers, awkward.numbers);
   ASSERT_EQ(records.at(7).files.size(), 2U);
@@ -79,6 +89,14 @@ TEST_F(Journal, garbage_is_left_out_and_what_follows_is_read) {
   }
 }
 
+TEST_F(Journal, lines_of_before_have_no_origin) {
+  const auto records = read(R"({"cell":5,"key":"k","numbers":["1"],"files":[]})"
+                            "\n");
+  ASSERT_EQ(records.size(), 1U);
+  EXPECT_EQ(records.at(5).numbers_key, "");
+  EXPECT_EQ(records.at(5).origin, ResultOrigin{});
+}
+
 TEST_F(Journal, of_two_lines_of_a_cell_the_later_counts) {
   CellRecord later = record(0);
   later.key = "later";
@@ -94,11 +112,11 @@ TEST_F(Journal, none_is_empty) {
 TEST_F(Journal, files_are_intact_until_they_change) {
   folder_.write("cells/a.png", "0123456789");
   folder_.write("cells/b.png", "");
-  const CellRecord cell{
-      0, "k", {}, {record_file(folder_.path(), "cells/a.png"), record_file(folder_.path(), "cells/b.png")}};
-  EXPECT_EQ(cell.files[0].bytes, 10U);
-  EXPECT_EQ(cell.files[1].bytes, 0U);
-  EXPECT_NE(cell.files[0].hash, cell.files[1].hash);
+  const std::vector<FileRecord> cell{record_file(folder_.path(), "cells/a.png"),
+                                     record_file(folder_.path(), "cells/b.png")};
+  EXPECT_EQ(cell[0].bytes, 10U);
+  EXPECT_EQ(cell[1].bytes, 0U);
+  EXPECT_NE(cell[0].hash, cell[1].hash);
   EXPECT_TRUE(files_intact(folder_.path(), cell));
   folder_.write("cells/a.png", "0123456780");
   EXPECT_FALSE(files_intact(folder_.path(), cell)) << "another byte";

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "studies/measures/measures.h"
+#include "tests/unit/measured.h"
 
 namespace inkbench {
 namespace {
@@ -60,21 +60,21 @@ std::vector<Polyline> polylines() {
   return lines;
 }
 
-Measures scored(const LineMap& prediction) {
+Measured scored(const LineMap& prediction) {
   const LineMap reference = drawing(2);
   const std::vector<Polyline> lines = polylines();
-  return measures_of(tally_lines({.prediction = prediction, .reference = reference, .polylines = lines}));
+  return Measured(LinesToMeasure{.prediction = prediction, .reference = reference, .polylines = lines});
 }
 
-Measures ideal() {
+Measured ideal() {
   return scored(drawing(3));
 }
 
-Measures short_gaps() {
+Measured short_gaps() {
   return scored(drawing(3, [](int, double x) { return std::fmod(x, 60) >= 12; }));
 }
 
-Measures line_lost() {
+Measured line_lost() {
   return scored(drawing(3, [](int line, double) { return line != 2; }));
 }
 
@@ -82,11 +82,11 @@ double wobble(int, double x) {
   return 1.2 * std::sin(2 * 3.14159265 * x / 10);
 }
 
-Measures jittered() {
+Measured jittered() {
   return scored(drawing(3, {}, wobble));
 }
 
-Measures specked() {
+Measured specked() {
   LineMap map = drawing(3);
   for (int i = 0; i < 40; ++i) {  // 2 x 2 px, away from the lines
     const int x = 45 + i % 10 * 23, y = 70 + i / 10 * 60;
@@ -97,24 +97,22 @@ Measures specked() {
   return scored(map);
 }
 
-Measures doubled() {
+Measured doubled() {
   return scored(united(drawing(3), drawing(3, {}, [](int, double) { return 7.0; })));
 }
 
 /// The names of the measures that differ from the ideal drawing's by more than a twentieth of its value, or
 /// by more than the slack that the measure's unit allows.
-std::map<std::string, double> moved(const Measures& defect) {
+std::map<std::string, double> moved(const Measured& defect) {
   const std::map<std::string, double> slack = {
       {"precision", 0.03}, {"recall", 0.03},       {"breaks_per_100px", 0.1}, {"mean_gap_px", 1},
       {"components", 0},   {"thickness_px", 0.5},  {"thickness_cov", 0.1},    {"jaggedness_px", 0.1},
       {"bias_px", 0.2},    {"ends_per_100px", 0.5}};
-  const Measures good = ideal();
+  const Measured good = ideal();
   std::map<std::string, double> result;
-  for (const MeasureInfo& info : measure_list()) {
-    const auto allowed = slack.find(std::string(info.key));
-    if (allowed == slack.end()) continue;
-    const double change = info.value(defect).value() - info.value(good).value();
-    if (std::abs(change) > allowed->second) result[allowed->first] = change;
+  for (const auto& [key, allowed] : slack) {
+    const double change = defect[key] - good[key];
+    if (std::abs(change) > allowed) result[key] = change;
   }
   return result;
 }
@@ -126,42 +124,42 @@ std::string names(const std::map<std::string, double>& moved_measures) {
 }
 
 TEST(MeasureSanity, ideal_drawing_scores_well_everywhere) {
-  const Measures m = ideal();
-  EXPECT_GT(m.precision, 0.99);
-  EXPECT_GT(m.recall, 0.98);
-  EXPECT_EQ(m.components, kDrawnLines);
-  EXPECT_EQ(m.breaks_per_100px, 0);
-  EXPECT_EQ(m.thickness_px, 3);
-  EXPECT_LT(m.jaggedness_px.value(), 0.35);
-  EXPECT_NEAR(m.bias_px.value(), 0, 0.1);
+  const Measured m = ideal();
+  EXPECT_GT(m["precision"], 0.99);
+  EXPECT_GT(m["recall"], 0.98);
+  EXPECT_EQ(m["components"], kDrawnLines);
+  EXPECT_EQ(m["breaks_per_100px"], 0);
+  EXPECT_EQ(m["thickness_px"], 3);
+  EXPECT_LT(m["jaggedness_px"], 0.35);
+  EXPECT_NEAR(m["bias_px"], 0, 0.1);
 }
 
 TEST(MeasureSanity, short_gaps_move_breaks) {
   EXPECT_EQ(names(moved(short_gaps())),
             "breaks_per_100px+ components+ ends_per_100px+ mean_gap_px+ recall- ");
-  EXPECT_GT(short_gaps().breaks_per_100px, 1.5);
-  EXPECT_LT(short_gaps().mean_gap_px, 13);
+  EXPECT_GT(short_gaps()["breaks_per_100px"], 1.5);
+  EXPECT_LT(short_gaps()["mean_gap_px"], 13);
 }
 
 TEST(MeasureSanity, lost_line_moves_the_mean_gap) {
   EXPECT_EQ(names(moved(line_lost())), "components- mean_gap_px+ recall- ");
-  EXPECT_GT(line_lost().mean_gap_px, 200);
+  EXPECT_GT(line_lost()["mean_gap_px"], 200);
 }
 
 TEST(MeasureSanity, jitter_moves_jaggedness) {
   EXPECT_EQ(names(moved(jittered())), "jaggedness_px+ ");
-  EXPECT_GT(jittered().jaggedness_px.value(), 2 * ideal().jaggedness_px.value());
+  EXPECT_GT(jittered()["jaggedness_px"], 2 * ideal()["jaggedness_px"]);
 }
 
 TEST(MeasureSanity, specks_move_components) {
   EXPECT_EQ(names(moved(specked())), "components+ precision- ");
-  EXPECT_GE(specked().components, kDrawnLines + 40);
+  EXPECT_GE(specked()["components"], kDrawnLines + 40);
 }
 
 TEST(MeasureSanity, doubled_lines_move_precision) {
   EXPECT_EQ(names(moved(doubled())), "components+ precision- ");
-  EXPECT_LT(doubled().precision, 0.55);
-  EXPECT_EQ(doubled().components, 2 * kDrawnLines);
+  EXPECT_LT(doubled()["precision"], 0.55);
+  EXPECT_EQ(doubled()["components"], 2 * kDrawnLines);
 }
 
 TEST(MeasureSanity, thick_lines_move_thickness) {
@@ -173,9 +171,9 @@ TEST(MeasureSanity, shifted_lines_move_bias) {
 }
 
 TEST(MeasureSanity, one_number_cannot_tell_defects_apart) {
-  EXPECT_NEAR(line_lost().recall, 0.8, 0.02);
-  EXPECT_NEAR(short_gaps().f1, line_lost().f1, 0.01);
-  EXPECT_GT(line_lost().mean_gap_px, 20 * short_gaps().mean_gap_px);
+  EXPECT_NEAR(line_lost()["recall"], 0.8, 0.02);
+  EXPECT_NEAR(short_gaps()["f1"], line_lost()["f1"], 0.01);
+  EXPECT_GT(line_lost()["mean_gap_px"], 20 * short_gaps()["mean_gap_px"]);
 }
 
 }  // namespace

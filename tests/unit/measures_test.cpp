@@ -1,6 +1,5 @@
 // The whole set of measures against their definitions written down plainly, and the conventions for empty
 // maps, tiers and pooling.
-#include "studies/measures/measures.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +11,7 @@
 #include <set>
 
 #include "studies/measures/matching.h"
+#include "tests/unit/measured.h"
 
 namespace inkbench {
 namespace {
@@ -136,33 +136,33 @@ struct ByDefinition {
   }
 };
 
-Measures score(const LineMap& prediction, const LineMap& reference, double tolerance = 2) {
-  return measures_of(
-      tally_lines({.prediction = prediction, .reference = reference, .tolerance_px = tolerance}));
+Measured score(const LineMap& prediction, const LineMap& reference, double tolerance = 2) {
+  return Measured(
+      LinesToMeasure{.prediction = prediction, .reference = reference, .tolerance_px = tolerance});
 }
 
 void expect_equals_definition(const LineMap& prediction, const LineMap& reference, double tolerance) {
-  const Measures m = score(prediction, reference, tolerance);
+  const Measured m = score(prediction, reference, tolerance);
   const LineMap thin_p = counted_lines(prediction), thin_r = counted_lines(reference);
   const Points p = pixels_of(thin_p), r = pixels_of(thin_r);
   ASSERT_FALSE(p.empty() || r.empty());
   const ByDefinition d(prediction, p, r, tolerance);
-  EXPECT_NEAR(m.chamfer, d.chamfer, 1e-9);
-  EXPECT_NEAR(m.hd95.value(), d.hd95, 1e-9);
-  EXPECT_NEAR(m.baddeley, d.baddeley, 1e-9);
-  EXPECT_NEAR(m.breaks_per_100px, d.breaks, 1e-9);
-  EXPECT_NEAR(m.mean_gap_px, d.mean_gap, 1e-9);
-  EXPECT_EQ(m.components, d.components);
-  EXPECT_NEAR(m.ends_per_100px, d.ends, 1e-9);
-  EXPECT_NEAR(m.thickness_px, d.thickness, 1e-9);
-  EXPECT_NEAR(m.thickness_cov, d.thickness_cov, 1e-9);
-  EXPECT_EQ(m.predicted, static_cast<int64_t>(p.size()));
-  EXPECT_EQ(m.referenced, static_cast<int64_t>(r.size()));
-  EXPECT_EQ(m.matched, matched_count(thin_p, thin_r, tolerance));
-  EXPECT_NEAR(m.f1, f1_from(m.matched, p.size(), r.size()), 1e-12);
-  EXPECT_NEAR(m.f1_t1, f1_from(matched_count(thin_p, thin_r, 1), p.size(), r.size()), 1e-12);
+  EXPECT_NEAR(m["chamfer"], d.chamfer, 1e-9);
+  EXPECT_NEAR(m["hd95"], d.hd95, 1e-9);
+  EXPECT_NEAR(m["baddeley"], d.baddeley, 1e-9);
+  EXPECT_NEAR(m["breaks_per_100px"], d.breaks, 1e-9);
+  EXPECT_NEAR(m["mean_gap_px"], d.mean_gap, 1e-9);
+  EXPECT_EQ(m["components"], d.components);
+  EXPECT_NEAR(m["ends_per_100px"], d.ends, 1e-9);
+  EXPECT_NEAR(m["thickness_px"], d.thickness, 1e-9);
+  EXPECT_NEAR(m["thickness_cov"], d.thickness_cov, 1e-9);
+  EXPECT_EQ(m["predicted"], static_cast<int64_t>(p.size()));
+  EXPECT_EQ(m["referenced"], static_cast<int64_t>(r.size()));
+  EXPECT_EQ(m["matched"], matched_count(thin_p, thin_r, tolerance));
+  EXPECT_NEAR(m["f1"], f1_from(m["matched"], p.size(), r.size()), 1e-12);
+  EXPECT_NEAR(m["f1_t1"], f1_from(matched_count(thin_p, thin_r, 1), p.size(), r.size()), 1e-12);
   const double diagonal = 0.0075 * std::hypot(prediction.width_px(), prediction.height_px());
-  EXPECT_NEAR(m.f1_diag, f1_from(matched_count(thin_p, thin_r, diagonal), p.size(), r.size()), 1e-12);
+  EXPECT_NEAR(m["f1_diag"], f1_from(matched_count(thin_p, thin_r, diagonal), p.size(), r.size()), 1e-12);
 }
 
 TEST(Measures, equal_their_definitions_on_random_drawings) {
@@ -180,33 +180,34 @@ TEST(Measures, equal_their_definitions_on_random_drawings) {
 TEST(Measures, drawing_scored_against_itself_is_perfect) {
   std::mt19937 random(12);
   const LineMap map = random_strokes(200, 150, 6, random);
-  const Measures m = score(map, map);
-  EXPECT_EQ(m.matched, m.predicted);
-  EXPECT_EQ(m.precision, 1);
-  EXPECT_EQ(m.recall, 1);
-  EXPECT_EQ(m.f1, 1);
-  EXPECT_EQ(m.f1_t1, 1);
-  EXPECT_EQ(m.f1_diag, 1);
-  EXPECT_EQ(m.chamfer, 0);
-  EXPECT_EQ(m.hd95.value(), 0);
-  EXPECT_EQ(m.baddeley, 0);
-  EXPECT_EQ(m.breaks_per_100px, 0);
-  EXPECT_FALSE(m.empty);
+  const Measured m = score(map, map);
+  EXPECT_EQ(m["matched"], m["predicted"]);
+  EXPECT_EQ(m["precision"], 1);
+  EXPECT_EQ(m["recall"], 1);
+  EXPECT_EQ(m["f1"], 1);
+  EXPECT_EQ(m["f1_t1"], 1);
+  EXPECT_EQ(m["f1_diag"], 1);
+  EXPECT_EQ(m["chamfer"], 0);
+  EXPECT_EQ(m["hd95"], 0);
+  EXPECT_EQ(m["baddeley"], 0);
+  EXPECT_EQ(m["breaks_per_100px"], 0);
+  EXPECT_FALSE(m.empty());
 }
 
 TEST(Measures, both_empty_is_perfect_and_marked) {
-  const Measures m = score(LineMap(40, 30), LineMap(40, 30));
-  EXPECT_TRUE(m.empty);
-  EXPECT_EQ(m.precision, 1);
-  EXPECT_EQ(m.recall, 1);
-  EXPECT_EQ(m.f1, 1);
-  EXPECT_EQ(m.f1_t1, 1);
-  EXPECT_EQ(m.f1_diag, 1);
-  EXPECT_EQ(m.chamfer, 0);
-  EXPECT_EQ(m.baddeley, 0);
-  EXPECT_EQ(m.hd95.value(), 0);
-  EXPECT_EQ(m.components + m.predicted + m.referenced + m.matched, 0);
-  EXPECT_EQ(m.breaks_per_100px + m.mean_gap_px + m.ends_per_100px + m.thickness_px + m.thickness_cov + m.ink,
+  const Measured m = score(LineMap(40, 30), LineMap(40, 30));
+  EXPECT_TRUE(m.empty());
+  EXPECT_EQ(m["precision"], 1);
+  EXPECT_EQ(m["recall"], 1);
+  EXPECT_EQ(m["f1"], 1);
+  EXPECT_EQ(m["f1_t1"], 1);
+  EXPECT_EQ(m["f1_diag"], 1);
+  EXPECT_EQ(m["chamfer"], 0);
+  EXPECT_EQ(m["baddeley"], 0);
+  EXPECT_EQ(m["hd95"], 0);
+  EXPECT_EQ(m["components"] + m["predicted"] + m["referenced"] + m["matched"], 0);
+  EXPECT_EQ(m["breaks_per_100px"] + m["mean_gap_px"] + m["ends_per_100px"] + m["thickness_px"] +
+                m["thickness_cov"] + m["ink"],
             0);
 }
 
@@ -214,20 +215,20 @@ TEST(Measures, one_empty_is_zero_and_as_far_as_can_be) {
   LineMap map(60, 50);
   for (int x = 10; x < 50; ++x) map.set(x, 25);
   const LineMap none(60, 50);
-  for (const Measures& m : {score(map, none), score(none, map)}) {
-    EXPECT_FALSE(m.empty);
-    EXPECT_EQ(m.precision, 0);
-    EXPECT_EQ(m.recall, 0);
-    EXPECT_EQ(m.f1, 0);
-    EXPECT_EQ(m.f1_t1, 0);
-    EXPECT_EQ(m.f1_diag, 0);
-    EXPECT_EQ(m.chamfer, 10);
-    EXPECT_EQ(m.baddeley, 10);
-    EXPECT_FALSE(m.hd95.has_value());
+  for (const Measured& m : {score(map, none), score(none, map)}) {
+    EXPECT_FALSE(m.empty());
+    EXPECT_EQ(m["precision"], 0);
+    EXPECT_EQ(m["recall"], 0);
+    EXPECT_EQ(m["f1"], 0);
+    EXPECT_EQ(m["f1_t1"], 0);
+    EXPECT_EQ(m["f1_diag"], 0);
+    EXPECT_EQ(m["chamfer"], 10);
+    EXPECT_EQ(m["baddeley"], 10);
+    EXPECT_FALSE(m.has("hd95"));
   }
-  EXPECT_EQ(score(none, map).breaks_per_100px, 100.0 / 40);
-  EXPECT_EQ(score(none, map).mean_gap_px, 40);
-  EXPECT_EQ(score(map, none).breaks_per_100px, 0);
+  EXPECT_EQ(score(none, map)["breaks_per_100px"], 100.0 / 40);
+  EXPECT_EQ(score(none, map)["mean_gap_px"], 40);
+  EXPECT_EQ(score(map, none)["breaks_per_100px"], 0);
 }
 
 TEST(Measures, smallest_images_are_all_border) {
@@ -236,15 +237,15 @@ TEST(Measures, smallest_images_are_all_border) {
     for (int y = 0; y < side; ++y) {
       for (int x = 0; x < side; ++x) full.set(x, y);
     }
-    EXPECT_TRUE(score(full, LineMap(side, side)).empty) << side;
-    EXPECT_EQ(score(full, full).baddeley, 0) << side;
+    EXPECT_TRUE(score(full, LineMap(side, side)).empty()) << side;
+    EXPECT_EQ(score(full, full)["baddeley"], 0) << side;
   }
   LineMap dot(5, 5);
   dot.set(2, 2);
-  EXPECT_EQ(score(dot, dot).matched, 1);
-  EXPECT_EQ(score(dot, dot).ink, 1.0 / 25);
-  EXPECT_EQ(score(dot, dot).thickness_px, 1);
-  EXPECT_EQ(score(dot, LineMap(5, 5)).baddeley, 10);
+  EXPECT_EQ(score(dot, dot)["matched"], 1);
+  EXPECT_EQ(score(dot, dot)["ink"], 1.0 / 25);
+  EXPECT_EQ(score(dot, dot)["thickness_px"], 1);
+  EXPECT_EQ(score(dot, LineMap(5, 5))["baddeley"], 10);
 }
 
 TEST(Measures, border_of_two_pixels_is_ignored_on_every_side) {
@@ -256,9 +257,9 @@ TEST(Measures, border_of_two_pixels_is_ignored_on_every_side) {
       inner.set(x, y, depth == 2);
     }
   }
-  EXPECT_TRUE(score(frame, frame).empty);
-  EXPECT_EQ(score(inner, inner).predicted, inner.count() - 4);  // thinning takes the four corners
-  EXPECT_EQ(score(inner, frame).f1, 0);
+  EXPECT_TRUE(score(frame, frame).empty());
+  EXPECT_EQ(score(inner, inner)["predicted"], inner.count() - 4);  // thinning takes the four corners
+  EXPECT_EQ(score(inner, frame)["f1"], 0);
 }
 
 TEST(Measures, full_ink_is_scored) {
@@ -266,11 +267,11 @@ TEST(Measures, full_ink_is_scored) {
   for (int y = 0; y < 200; ++y) {
     for (int x = 0; x < 300; ++x) full.set(x, y);
   }
-  const Measures m = score(full, full);
-  EXPECT_EQ(m.f1, 1);
-  EXPECT_EQ(m.components, 1);
-  EXPECT_NEAR(m.thickness_px, 195, 4);
-  EXPECT_EQ(m.ink, 296.0 * 196 / 60000);
+  const Measured m = score(full, full);
+  EXPECT_EQ(m["f1"], 1);
+  EXPECT_EQ(m["components"], 1);
+  EXPECT_NEAR(m["thickness_px"], 195, 4);
+  EXPECT_EQ(m["ink"], 296.0 * 196 / 60000);
 }
 
 TEST(Measures, thickness_is_that_of_the_bar) {
@@ -279,7 +280,7 @@ TEST(Measures, thickness_is_that_of_the_bar) {
     for (int y = 20; y < 20 + thickness; ++y) {
       for (int x = 10; x < 290; ++x) bar.set(x, y);
     }
-    EXPECT_EQ(score(bar, bar).thickness_px, thickness);
+    EXPECT_EQ(score(bar, bar)["thickness_px"], thickness);
   }
 }
 
@@ -290,24 +291,22 @@ TEST(Measures, second_tier_forgives_but_is_not_demanded) {
     allowed.set(x, 30);
     drawn.set(x, 10), drawn.set(x, 30), drawn.set(x, 50);
   }
-  const Measures m =
-      measures_of(tally_lines({.prediction = drawn, .reference = wanted, .allowed = &allowed}));
-  EXPECT_NEAR(m.precision, 2.0 / 3, 1e-12);
-  EXPECT_EQ(m.recall, 1);
-  EXPECT_EQ(m.matched, 80);
-  EXPECT_NEAR(m.f1, 2 * (2.0 / 3) / (5.0 / 3), 1e-12);
-  EXPECT_NEAR(score(drawn, wanted).precision, 1.0 / 3, 1e-12);
-  const Measures undrawn =
-      measures_of(tally_lines({.prediction = wanted, .reference = wanted, .allowed = &allowed}));
-  EXPECT_EQ(undrawn.f1, 1);
+  const Measured m = Measured(LinesToMeasure{.prediction = drawn, .reference = wanted, .allowed = &allowed});
+  EXPECT_NEAR(m["precision"], 2.0 / 3, 1e-12);
+  EXPECT_EQ(m["recall"], 1);
+  EXPECT_EQ(m["matched"], 80);
+  EXPECT_NEAR(m["f1"], 2 * (2.0 / 3) / (5.0 / 3), 1e-12);
+  EXPECT_NEAR(score(drawn, wanted)["precision"], 1.0 / 3, 1e-12);
+  const Measured undrawn =
+      Measured(LinesToMeasure{.prediction = wanted, .reference = wanted, .allowed = &allowed});
+  EXPECT_EQ(undrawn["f1"], 1);
 }
 
 TEST(Measures, tiers_that_coincide_forgive_no_doubled_line) {
   LineMap wanted(100, 60), doubled(100, 60);
   for (int x = 10; x < 90; ++x) wanted.set(x, 20), doubled.set(x, 19), doubled.set(x, 21);
-  const Measures m =
-      measures_of(tally_lines({.prediction = doubled, .reference = wanted, .allowed = &wanted}));
-  EXPECT_NEAR(m.precision, 0.5, 1e-12);
+  const Measured m = Measured(LinesToMeasure{.prediction = doubled, .reference = wanted, .allowed = &wanted});
+  EXPECT_NEAR(m["precision"], 0.5, 1e-12);
 }
 
 TEST(Measures, recall_of_a_class_is_over_its_lines_alone) {
@@ -324,24 +323,26 @@ TEST(Measures, pool_by_summing_counts) {
   const LineMap p1 = random_strokes(120, 90, 4, random), r1 = random_strokes(120, 90, 3, random);
   LineMap p2(200, 100), r2(200, 100);
   for (int x = 20; x < 180; ++x) p2.set(x, 50), r2.set(x, 51);
-  LineTally pooled = tally_lines({.prediction = p1, .reference = r1});
-  const LineTally second = tally_lines({.prediction = p2, .reference = r2});
-  const Measures m1 = measures_of(pooled), m2 = measures_of(second);
+  DrawingTally pooled = tally_maps({.prediction = p1, .reference = r1});
+  const DrawingTally second = tally_maps({.prediction = p2, .reference = r2});
+  const Measured m1(pooled), m2(second);
   pooled.add(second);
-  const Measures m = measures_of(pooled);
-  EXPECT_EQ(m.matched, m1.matched + m2.matched);
-  EXPECT_DOUBLE_EQ(m.precision, static_cast<double>(m1.matched + m2.matched) /
-                                    static_cast<double>(m1.predicted + m2.predicted));
-  EXPECT_DOUBLE_EQ(m.recall, static_cast<double>(m1.matched + m2.matched) /
-                                 static_cast<double>(m1.referenced + m2.referenced));
-  EXPECT_DOUBLE_EQ(m.ink, static_cast<double>(without_border(p1).count() + 160) / (120.0 * 90 + 200 * 100));
+  const Measured m(pooled);
+  EXPECT_EQ(m["matched"], m1["matched"] + m2["matched"]);
+  EXPECT_DOUBLE_EQ(m["precision"], static_cast<double>(m1["matched"] + m2["matched"]) /
+                                       static_cast<double>(m1["predicted"] + m2["predicted"]));
+  EXPECT_DOUBLE_EQ(m["recall"], static_cast<double>(m1["matched"] + m2["matched"]) /
+                                    static_cast<double>(m1["referenced"] + m2["referenced"]));
+  EXPECT_DOUBLE_EQ(m["ink"],
+                   static_cast<double>(without_border(p1).count() + 160) / (120.0 * 90 + 200 * 100));
   const double inside1 = 116 * 86, inside2 = 196 * 96;
-  EXPECT_NEAR(m.baddeley,
-              std::sqrt((m1.baddeley * m1.baddeley * inside1 + m2.baddeley * m2.baddeley * inside2) /
-                        (inside1 + inside2)),
-              1e-12);
-  EXPECT_EQ(m.components, m1.components + m2.components);
-  EXPECT_NE(m.f1, (m1.f1 + m2.f1) / 2);
+  EXPECT_NEAR(
+      m["baddeley"],
+      std::sqrt((m1["baddeley"] * m1["baddeley"] * inside1 + m2["baddeley"] * m2["baddeley"] * inside2) /
+                (inside1 + inside2)),
+      1e-12);
+  EXPECT_EQ(m["components"], m1["components"] + m2["components"]);
+  EXPECT_NE(m["f1"], (m1["f1"] + m2["f1"]) / 2);
 }
 
 TEST(Measures, empty_views_are_left_out_of_pooling) {
@@ -351,19 +352,19 @@ TEST(Measures, empty_views_are_left_out_of_pooling) {
   LineTally pooled;
   pooled.add(one);
   pooled.add(tally_lines({.prediction = LineMap(60, 50), .reference = LineMap(60, 50)}));
-  EXPECT_EQ(measures_json(measures_of(pooled)), measures_json(measures_of(one)));
-  EXPECT_TRUE(measures_of(LineTally{}).empty);
+  EXPECT_EQ(Measured(pooled).json(), Measured(one).json());
+  EXPECT_TRUE(Measured(LineTally{}).empty());
 }
 
 TEST(Measures, json_holds_every_key_once_and_null_where_there_is_no_value) {
   LineMap map(60, 50);
   for (int x = 10; x < 50; ++x) map.set(x, 25);
-  const auto json = nlohmann::json::parse(measures_json(score(map, LineMap(60, 50))));
+  const auto json = nlohmann::json::parse(score(map, LineMap(60, 50)).json());
   const std::set<std::string> expected = {
       "matched",     "predicted",  "referenced",     "precision",    "recall",        "f1",
       "f1_t1",       "f1_diag",    "chamfer",        "hd95",         "baddeley",      "breaks_per_100px",
       "mean_gap_px", "components", "ends_per_100px", "thickness_px", "thickness_cov", "jaggedness_px",
-      "bias_px",     "ink",        "empty"};
+      "bias_px",     "ink",        "ink_px",         "empty"};
   std::set<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.insert(key);
   EXPECT_EQ(keys, expected);
@@ -378,8 +379,8 @@ TEST(Measures, json_holds_every_key_once_and_null_where_there_is_no_value) {
 TEST(Measures, far_lines_are_measured_untruncated) {
   LineMap left(400, 100), right(400, 100);
   for (int y = 20; y < 80; ++y) left.set(30, y), right.set(330, y);
-  EXPECT_EQ(score(left, right).hd95.value(), 300);
-  EXPECT_EQ(score(left, right).chamfer, 10);
+  EXPECT_EQ(score(left, right)["hd95"], 300);
+  EXPECT_EQ(score(left, right)["chamfer"], 10);
 }
 
 }  // namespace

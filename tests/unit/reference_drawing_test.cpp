@@ -72,16 +72,21 @@ TEST(ReferenceMaps, a_pixel_may_be_of_several_classes) {
 
 TEST(ReferenceMaps, tiers_are_the_union_of_their_classes) {
   const ReferenceLines lines = hand_made();
-  const LineMap first = tier_map(lines, 1);
+  const LineMap first = tier_map(lines, {}, 1);
   EXPECT_EQ(first, united(class_map(lines, LineClass::silhouette), class_map(lines, LineClass::object)));
-  EXPECT_EQ(tier_map(lines, 2), class_map(lines, LineClass::ridge));
-  EXPECT_EQ(tier_map(lines, 2).count(), 7);
+  EXPECT_EQ(tier_map(lines, {}, 2), class_map(lines, LineClass::ridge));
+  EXPECT_EQ(tier_map(lines, {}, 2).count(), 7);
 }
 
-TEST(ReferenceMaps, first_four_classes_are_tier_1) {
+TEST(ReferenceMaps, first_four_classes_are_tier_1_unless_the_judge_says_otherwise) {
   std::vector<int> tiers;
-  for (const LineClass line_class : kLineClasses) tiers.push_back(tier(line_class));
+  for (const LineClass line_class : kLineClasses) tiers.push_back(tier({}, line_class));
   EXPECT_EQ(tiers, (std::vector<int>{1, 1, 1, 1, 2, 2, 2}));
+  JudgeParams judge;
+  judge.crease = Demand::allowed;
+  judge.valley = Demand::wanted;
+  EXPECT_EQ(tier(judge, LineClass::crease), 2);
+  EXPECT_EQ(tier(judge, LineClass::valley), 1);
 }
 
 TEST(ReferencePicture, has_a_colour_of_its_own_for_each_class) {

@@ -39,7 +39,7 @@ TEST(ReferenceRobust, empty_scene_has_no_lines) {
   scene.add(Mesh{});
   const ReferenceLines lines = scene.lines();
   EXPECT_TRUE(lines.polylines.empty());
-  EXPECT_EQ(tier_map(lines, 1).count(), 0);
+  EXPECT_EQ(tier_map(lines, {}, 1).count(), 0);
 }
 
 TEST(ReferenceRobust, mesh_without_features_has_silhouettes_and_boundaries_only) {

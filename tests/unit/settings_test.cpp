@@ -146,7 +146,9 @@ TEST(Description, every_field_writes_where_it_reads) {
     if (auto* real = std::get_if<float>(&changed)) *real = inside;
     if (auto* vector = std::get_if<glm::vec3>(&changed)) vector->y = inside;
     if (auto* text = std::get_if<std::string>(&changed))
-      *text = param.field->choices.empty() ? "/x" : param.field->choices.back();
+      *text = param.field->choices.empty()           ? "/x"
+              : *text == param.field->choices.back() ? param.field->choices.front()
+                                                     : param.field->choices.back();
     if (auto* ramp = std::get_if<Ramp>(&changed)) ramp->image = "/x.png";
     ASSERT_NE(changed, param.value()) << param.key;
     std::vector<Value> others;

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "pipeline/base/files.h"
+#include "pipeline/base/text.h"
 #include "tests/unit/support.h"
 
 namespace inkbench {
@@ -23,26 +24,37 @@ constexpr const char* kTwoByTwo =
     "[[axis]]\nkey = \"combine.k_depth\"\nvalues = [0.25, 0.5]\n"
     "[[axis]]\nkey = \"model.rabbit.mesh\"\nvalues = [\"rabbit\", \"a, \\\"b\\\".obj\"]\n";
 
-std::vector<Key> keys_of(size_t count, const std::string& version = "") {
-  std::vector<Key> keys;
-  for (size_t i = 0; i < count; ++i) keys.push_back(KeyBuilder().add(version).add(std::to_string(i)).key());
+/// `drawing` and `measuring` stand for all that decides the pictures and the numbers.
+std::vector<CellKeys> keys_of(size_t count, const std::string& drawing = "",
+                              const std::string& measuring = "") {
+  std::vector<CellKeys> keys;
+  for (size_t i = 0; i < count; ++i) {
+    const Key pictures = KeyBuilder().add(drawing).add(std::to_string(i)).key();
+    keys.push_back({pictures, KeyBuilder().add(pictures).add(measuring).key()});
+  }
   return keys;
 }
 
+const ResultOrigin kOrigin{"drawing 1", "measuring 1", "softpipe"};
+
 class StudyFolderTest : public ::testing::Test {
  protected:
-  StudyFolder open(bool fresh = false, const std::string& version = "") {
-    return {spec_, folder_.path(), keys_of(cell_count(spec_), version), fresh};
+  StudyFolder open(bool fresh = false, const std::string& drawing = "", const std::string& measuring = "",
+                   const ResultOrigin& origin = kOrigin) {
+    return {spec_, folder_.path(), keys_of(cell_count(spec_), drawing, measuring), origin, fresh};
   }
   void finish_cell(StudyFolder& study, size_t index) {
     std::vector<std::string> overlays;
     for (size_t view = 0; view < view_count(spec_); ++view) {
       for (const BufferName buffer : spec_.show)
         folder_.write(study.cell_file(index, view, buffer), "picture " + std::to_string(index));
+      if (!finds_lines(spec_)) continue;
       overlays.push_back(fmt::format("reference/{:016x}.svg", index));
       folder_.write(overlays.back(), "lines");
     }
-    study.add(index, {"0.5", std::to_string(100 + index)}, overlays);
+    std::vector<std::string> numbers{"0.5", std::to_string(100 + index)};
+    numbers.resize(2 + spec_.measures.size(), "0.25");
+    study.add(index, numbers, overlays);
   }
   std::string data() const { return read_file(folder_.path() / "data.csv"); }
   std::string journal() const { return read_file(folder_.path() / "journal.jsonl"); }
@@ -131,8 +143,8 @@ class Resume : public StudyFolderTest {
     for (size_t i = 0; i < 4; ++i) finish_cell(study, i);
     study.finish();
   }
-  std::vector<size_t> done(bool fresh = false, const std::string& version = "") {
-    const StudyFolder study = open(fresh, version);
+  std::vector<size_t> done(bool fresh = false, const std::string& drawing = "") {
+    const StudyFolder study = open(fresh, drawing);
     std::vector<size_t> cells;
     for (size_t i = 0; i < 4; ++i) {
       if (study.is_done(i)) cells.push_back(i);
@@ -155,6 +167,56 @@ TEST_F(Resume, a_fresh_start_keeps_nothing) {
 
 TEST_F(Resume, drops_cells_whose_key_is_another_now) {
   EXPECT_TRUE(done(false, "shader changed").empty());
+}
+
+TEST_F(Resume, other_numbers_keep_the_pictures_until_they_are_measured_again) {
+  {
+    const StudyFolder study = open(false, "", "thinning changed");
+    for (size_t i = 0; i < 4; ++i) EXPECT_EQ(study.work(i), CellWork::measure);
+    EXPECT_THAT(data(), Not(HasSubstr("\n1,"))) << "no old number stands beside a new one";
+  }
+  std::optional<StudyFolder> held(std::in_place, spec_, folder_.path(), keys_of(4, "", "thinning changed"),
+                                  kOrigin, false);
+  StudyFolder& study = *held;
+  ASSERT_EQ(study.work(2), CellWork::measure) << "a run that was killed before loses no picture";
+  study.add(2, {"0.75", "7"}, {});
+  EXPECT_THAT(data(), HasSubstr("\n3,0.25,\"/studies/a, \"\"b\"\".obj\",0.75,7,,cells/0003_final.png,"));
+  study.finish();
+  held.reset();  // lets go of the folder
+  EXPECT_EQ(open(false, "", "thinning changed").work(2), CellWork::none);
+}
+
+TEST_F(Resume, other_pictures_are_drawn_whatever_their_numbers) {
+  EXPECT_EQ(open(false, "shader changed", "thinning changed").work(0), CellWork::draw);
+}
+
+TEST_F(Resume, says_how_many_cells_are_made_again_and_why) {
+  EXPECT_TRUE(open().notes().empty());
+  const auto note = [&](const ResultOrigin& origin, const std::string& drawing,
+                        const std::string& measuring) {
+    const TemporaryFolder copy;
+    fs::copy(folder_.path(), copy.path(), fs::copy_options::recursive);
+    return join(StudyFolder(spec_, copy.path(), keys_of(4, drawing, measuring), origin, false).notes(), "; ");
+  };
+  EXPECT_EQ(note(kOrigin, "x", ""), "4 cells are drawn again: their settings or what they show changed");
+  EXPECT_EQ(note({"drawing 2", "measuring 2", "softpipe"}, "x", ""),
+            "4 cells are drawn again: the sources that draw changed");
+  EXPECT_EQ(note({"drawing 1", "measuring 1", "swrast"}, "x", ""),
+            "4 cells are drawn again: they were drawn by another renderer (softpipe; this is swrast)");
+  EXPECT_EQ(note(kOrigin, "", "x"),
+            "4 cells are measured again: what is measured, or how it is judged, changed");
+  EXPECT_EQ(note({"drawing 1", "measuring 2", "softpipe"}, "", "x"),
+            "4 cells are measured again: the sources that measure changed");
+  fs::remove(folder_.path() / "cells/0004_final.png");
+  EXPECT_EQ(note(kOrigin, "", ""), "1 cell is drawn again: their files are missing or were changed");
+}
+
+TEST_F(Resume, a_journal_of_before_is_not_trusted_and_that_is_said) {
+  folder_.write("journal.jsonl", R"({"cell":0,"key":"0123","numbers":["1","2"],"files":[]})"
+                                 "\n");
+  const StudyFolder study = open();
+  EXPECT_EQ(study.work(0), CellWork::draw);
+  EXPECT_THAT(study.notes(), ElementsAre(HasSubstr("1 cell is drawn again: an older inkbench")));
 }
 
 TEST_F(Resume, drops_the_cell_with_a_changed_file_and_its_row) {
@@ -189,11 +251,11 @@ TEST_F(Resume, drops_everything_when_other_buffers_are_shown) {
 }
 
 TEST_F(Resume, drops_records_of_cells_that_are_no_more) {
-  const StudyFolder smaller(spec_, folder_.path(), keys_of(2), false);
+  const StudyFolder smaller(spec_, folder_.path(), keys_of(2), kOrigin, false);
   EXPECT_EQ(smaller.done_count(), 2U);
 }
 
-TEST_F(Resume, drops_records_with_other_numbers) {
+TEST_F(Resume, measures_records_with_other_numbers_again) {
   std::string changed = journal();
   const size_t place = changed.find("\"0.5\",\"102\"");
   ASSERT_NE(place, std::string::npos);
@@ -201,43 +263,69 @@ TEST_F(Resume, drops_records_with_other_numbers) {
   EXPECT_THAT(done(), ElementsAre(0, 1, 3));
 }
 
-TEST_F(Resume, drops_records_whose_reference_lines_lie_elsewhere) {
-  const std::string good = "reference/0000000000000002.svg";
+class ResumeWithLines : public StudyFolderTest {
+ protected:
+  ResumeWithLines() {
+    spec_ = parse_spec("measure = [\"f1\"]\n[[axis]]\nkey = \"combine.k_depth\"\nvalues = [1, 0.5]\n",
+                       "/studies/s.toml", {});
+    StudyFolder study = open();
+    for (size_t i = 0; i < 2; ++i) finish_cell(study, i);
+    study.finish();
+  }
+};
+
+TEST_F(ResumeWithLines, are_kept_where_they_are_intact) {
+  const StudyFolder study = open();
+  EXPECT_EQ(study.done_count(), 2U);
+  EXPECT_EQ(study.overlay_file(1, 0), "reference/0000000000000001.svg");
+}
+
+TEST_F(ResumeWithLines, lines_that_lie_elsewhere_are_found_again_without_drawing) {
+  const std::string good = "reference/0000000000000001.svg";
   const std::string before = journal();
-  for (const char* bad : {"reference//000000000000002.svg", "reference/../0000000000002.svg",
-                          "referenc/00000000000000002.svg", "reference/000000000000000g.svg"}) {
+  for (const char* bad : {"reference//000000000000001.svg", "reference/../0000000000001.svg",
+                          "referenc/00000000000000001.svg", "reference/000000000000000g.svg"}) {
     std::string changed = before;
     const size_t place = changed.find(good);
     ASSERT_NE(place, std::string::npos);
     folder_.write("journal.jsonl", changed.replace(place, good.size(), bad));
     folder_.write(bad, "lines");
-    EXPECT_THAT(done(), ElementsAre(0, 1, 3)) << bad;
+    const StudyFolder study = open();
+    EXPECT_EQ(study.work(0), CellWork::none) << bad;
+    EXPECT_EQ(study.work(1), CellWork::measure) << bad;
     folder_.write(good, "lines");
   }
 }
 
+TEST_F(ResumeWithLines, without_measures_the_lines_go) {
+  spec_.measures.clear();
+  const StudyFolder study = open(false, "", "no measures");
+  EXPECT_EQ(study.work(0), CellWork::measure);
+  EXPECT_FALSE(fs::exists(folder_.path() / "reference/0000000000000000.svg"));
+}
+
 TEST_F(StudyFolderTest, files_get_more_digits_in_large_studies) {
   {
-    const StudyFolder small(spec_, folder_.path(), keys_of(9999), false);
+    const StudyFolder small(spec_, folder_.path(), keys_of(9999), kOrigin, false);
     EXPECT_EQ(small.cell_file(0, 0, BufferName::final), "cells/0001_final.png");
   }
-  const StudyFolder large(spec_, folder_.path(), keys_of(10'000), false);
+  const StudyFolder large(spec_, folder_.path(), keys_of(10'000), kOrigin, false);
   EXPECT_EQ(large.cell_file(0, 0, BufferName::final), "cells/00001_final.png");
 }
 
 TEST_F(StudyFolderTest, a_study_that_outgrew_its_digits_draws_again_what_data_csv_could_not_find) {
   {
-    StudyFolder small(spec_, folder_.path(), keys_of(4), false);
+    StudyFolder small(spec_, folder_.path(), keys_of(4), kOrigin, false);
     finish_cell(small, 0);
   }
-  const StudyFolder large(spec_, folder_.path(), keys_of(10'000), false);
+  const StudyFolder large(spec_, folder_.path(), keys_of(10'000), kOrigin, false);
   EXPECT_FALSE(large.is_done(0));
 }
 
 TEST_F(StudyFolderTest, threads_may_add_at_the_same_time) {
   spec_ = parse_spec("[[axis]]\nkey = \"combine.k_depth\"\nfrom = 0.01\nto = 1\ncount = 200\n",
                      "/studies/s.toml", {});
-  std::optional<StudyFolder> held(std::in_place, spec_, folder_.path(), keys_of(200), false);
+  std::optional<StudyFolder> held(std::in_place, spec_, folder_.path(), keys_of(200), kOrigin, false);
   StudyFolder& study = *held;
   std::vector<std::thread> threads;
   for (size_t first = 0; first < 4; ++first) {
@@ -263,7 +351,7 @@ TEST_F(StudyFolderTest, a_cell_without_its_files_cannot_be_added) {
 
 TEST_F(StudyFolderTest, a_folder_that_cannot_be_made_is_an_error) {
   const fs::path file = folder_.write("file", "x");
-  EXPECT_THAT(error_of([&] { StudyFolder(spec_, file, keys_of(4), false); }, ErrorKind::work),
+  EXPECT_THAT(error_of([&] { StudyFolder(spec_, file, keys_of(4), kOrigin, false); }, ErrorKind::work),
               HasSubstr("this folder cannot be made"));
 }
 

@@ -1,4 +1,4 @@
-#include "studies/report/tile.h"
+#include "studies/report/grid_tile.h"
 
 #include <gtest/gtest.h>
 

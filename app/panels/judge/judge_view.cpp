@@ -21,13 +21,6 @@ namespace {
 
 /// Shorter waits are not worth a word.
 constexpr double kPatience = 0.4;
-/// Shown as bars above the others.
-constexpr std::array<std::string_view, 3> kShares{"f1", "precision", "recall"};
-
-const MeasureInfo& info_of(std::string_view key) {
-  const std::span<const MeasureInfo> all = measure_list();
-  return *std::find_if(all.begin(), all.end(), [&](const MeasureInfo& info) { return info.key == key; });
-}
 
 std::string value_text(const std::optional<double>& value, bool is_count) {
   if (!value) return "–";
@@ -49,22 +42,27 @@ void text_at_right(std::string_view text, float right, ImU32 colour) {
                                       text.data() + text.size());
 }
 
+/// A measure with its values now and when the state was pinned.
 struct Row {
-  std::string_view name, help;
+  const Measure& measure;
   std::optional<double> now, then;
-  bool is_count = false;
-  bool more_is_better = false;  ///< Else a change has no colour.
+
+  bool is_count() const { return measure.kind == MeasureKind::count; }
 };
+
+/// Good news, bad news or neither.
+ImU32 change_colour(const Row& row) {
+  if (row.measure.better == Better::neither || *row.now == *row.then) return theme().faint;
+  return (*row.now > *row.then) == (row.measure.better == Better::more) ? theme().good : theme().error;
+}
 
 float change_width() {
   return ImGui::CalcTextSize("+0.0000").x;
 }
 
 void draw_change(const Row& row, float right) {
-  const std::string change = change_text(row.now, row.then, row.is_count);
-  ImU32 colour = theme().faint;
-  if (row.more_is_better && !change.empty()) colour = *row.now > *row.then ? theme().good : theme().error;
-  text_at_right(change, right, colour);
+  const std::string change = change_text(row.now, row.then, row.is_count());
+  text_at_right(change, right, change.empty() ? theme().faint : change_colour(row));
 }
 
 /// Name, value and change; the columns of all rows line up.
@@ -72,14 +70,14 @@ void draw_row(const Row& row, bool compares) {
   const float left = ImGui::GetCursorScreenPos().x;
   const float right = left + ImGui::GetContentRegionAvail().x;
   const float value_right = compares ? right - change_width() : right;
-  const std::string value = value_text(row.now, row.is_count);
+  const std::string value = value_text(row.now, row.is_count());
   text_at_right(value, value_right, row.now ? theme().text : theme().faint);
   if (compares) draw_change(row, right);
   const float room = value_right - left - ImGui::CalcTextSize(value.c_str()).x - scaled(8);
   const ImVec2 place = ImGui::GetCursorScreenPos();
   ImGui::Dummy({right - left, ImGui::GetTextLineHeight()});
-  help_for_item(row.help);
-  draw_fitted_text(*ImGui::GetWindowDrawList(), place, room, theme().faint, row.name);
+  help_for_item(row.measure.help);
+  draw_fitted_text(*ImGui::GetWindowDrawList(), place, room, theme().faint, row.measure.key);
 }
 
 void draw_bar(const Row& row, ImU32 colour) {
@@ -105,16 +103,17 @@ void heading(const char* text) {
   ImGui::PopFont();
 }
 
-Row row_of(const MeasureInfo& info, const Judgement& now, const Judgement* then) {
-  Row row{info.key, info.help, info.value(now.measures), std::nullopt, info.is_count};
-  if (then != nullptr) row.then = info.value(then->measures);
+Row row_of(const Measure& measure, const Judgement& now, const Judgement* then) {
+  Row row{measure, measure.value(now.tally), std::nullopt};
+  if (then != nullptr) row.then = measure.value(then->tally);
   return row;
 }
 
-void draw_shares(const Judgement& now, const Judgement* then) {
-  for (const std::string_view key : kShares) {
-    Row row = row_of(info_of(key), now, then);
-    row.more_is_better = true;
+/// As bars above the others.
+void draw_headlines(const Judgement& now, const Judgement* then) {
+  for (const Measure& measure : measure_table()) {
+    if (!measure.is_headline) continue;
+    const Row row = row_of(measure, now, then);
     draw_row(row, then != nullptr);
     draw_bar(row, theme().accent);
   }
@@ -125,21 +124,24 @@ ImU32 class_colour(LineClass line_class) {
   return IM_COL32(c[0], c[1], c[2], 255);
 }
 
+void draw_swatch(ImU32 colour) {
+  const ImVec2 place = ImGui::GetCursorScreenPos();
+  const float size = scaled(9);
+  const float top = place.y + (ImGui::GetTextLineHeight() - size) / 2 + 1;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({place.x, top}, {place.x + size, top + size}, colour);
+  list.AddRect({place.x, top}, {place.x + size, top + size}, theme().faint);
+  ImGui::SetCursorScreenPos({place.x + size + scaled(7), place.y});
+}
+
 /// Only classes that the view has lines of, now or when it was pinned.
 void draw_recall(const Judgement& now, const Judgement* then) {
   heading("Recall by class");
-  for (size_t i = 0; i < kLineClasses.size(); ++i) {
-    Row row{kLineClassNames[i], "Share of this class's reference pixels that were found.", now.recall[i]};
-    if (then != nullptr) row.then = then->recall[i];
+  for (const Measure& measure : measure_table()) {
+    if (measure.needs != Need::reference_class) continue;
+    const Row row = row_of(measure, now, then);
     if (!row.now && !row.then) continue;
-    row.more_is_better = true;
-    const ImVec2 place = ImGui::GetCursorScreenPos();
-    const float size = scaled(9);
-    const float top = place.y + (ImGui::GetTextLineHeight() - size) / 2 + 1;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({place.x, top}, {place.x + size, top + size}, class_colour(kLineClasses[i]));
-    list.AddRect({place.x, top}, {place.x + size, top + size}, theme().faint);
-    ImGui::SetCursorScreenPos({place.x + size + scaled(7), place.y});
+    draw_swatch(class_colour(*measure.line_class));
     draw_row(row, then != nullptr);
   }
 }
@@ -149,20 +151,17 @@ void draw_recall(const Judgement& now, const Judgement* then) {
 void draw_ladder(const Viewer& viewer, const Judgement& now, const Judgement* then) {
   if (!viewer.drawn() || viewer.drawn()->settings().mesh == MeshParams{}) return;
   heading("Against the full mesh");
-  for (const LadderMeasureInfo& info : ladder_measure_list()) {
-    Row row{info.key, info.help};
-    if (now.ladder) row.now = info.value(*now.ladder);
-    if (then != nullptr && then->ladder) row.then = info.value(*then->ladder);
-    row.more_is_better = info.more_is_better;
-    draw_row(row, then != nullptr);
+  for (const Measure& measure : measure_table()) {
+    if (measure.of_level()) draw_row(row_of(measure, now, then), then != nullptr);
   }
 }
 
 void draw_others(const Judgement& now, const Judgement* then) {
   heading("All measures");
-  for (const MeasureInfo& info : measure_list()) {
-    if (std::find(kShares.begin(), kShares.end(), info.key) != kShares.end()) continue;
-    draw_row(row_of(info, now, then), then != nullptr);
+  for (const Measure& measure : measure_table()) {
+    const bool is_above = measure.is_headline || measure.needs == Need::reference_class || measure.of_level();
+    if (is_above || measure.needs == Need::nothing || measure.kind == MeasureKind::flag) continue;
+    draw_row(row_of(measure, now, then), then != nullptr);
   }
 }
 
@@ -210,14 +209,14 @@ void JudgeView::draw() {
     wrapped_text(now->error, theme().error);
     return;
   }
-  if (now->measures.empty) {
+  if (now->tally.lines.empty()) {
     wrapped_text("Neither a drawn line nor a reference line is in sight: there is nothing to judge.",
                  theme().faint);
     return;
   }
-  const bool compares = pin_compares_ && then != nullptr && then->error.empty() && !then->measures.empty;
+  const bool compares = pin_compares_ && then != nullptr && then->error.empty() && !then->tally.lines.empty();
   if (!compares) then = nullptr;
-  draw_shares(*now, then);
+  draw_headlines(*now, then);
   draw_ladder(viewer_, *now, then);
   draw_recall(*now, then);
   draw_others(*now, then);

@@ -14,9 +14,13 @@ constexpr BufferInfo kReference{
     .number_key = 0,
     .shown_as = ShownAs::drawing};
 
-/// Features depend on the mesh and on how it is stretched.
-Key full_key(MeshStore& meshes, const ModelParams& model) {
-  return KeyBuilder().add(meshes.full_identity(model)).add(to_text(Value(model.scale))).key();
+/// Features depend on the mesh, on how it is stretched and on what counts as one.
+Key full_key(MeshStore& meshes, const ModelParams& model, const JudgeParams& judge) {
+  return KeyBuilder()
+      .add(meshes.full_identity(model))
+      .add(to_text(Value(model.scale)))
+      .add(lines_text(judge))
+      .key();
 }
 
 /// The G-buffer decides all lines; its float depth is read whatever `image.precision` says, since an
@@ -25,7 +29,10 @@ struct BoundLineRequest {
   Flow* flow = nullptr;
   BoundValue<GBufferPass> gbuffer;
 
-  void fold(KeyBuilder& key, const FrameState& frame) const { gbuffer.fold(key, frame); }
+  void fold(KeyBuilder& key, const FrameState& frame) const {
+    gbuffer.fold(key, frame);
+    key.add(lines_text(frame.settings.judge));
+  }
   LineRequest get(const FrameState& frame) const { return ReferencePass::request(*flow, frame); }
 };
 struct LineRequestInput {
@@ -47,7 +54,9 @@ LineRequest ReferencePass::request(Flow& flow, const FrameState& frame) {
   const std::shared_ptr<const GBuffer> gbuffer = flow.node<GBufferPass>().get(frame);
   const Settings& settings = frame.settings;
   MeshStore& meshes = flow.shared<MeshStore>();
-  LineRequest request{.key = frame.keys[flow.node<ReferencePass>().index()], .camera = settings.camera};
+  LineRequest request{.key = frame.keys[flow.node<ReferencePass>().index()],
+                      .camera = settings.camera,
+                      .judge = settings.judge};
   request.depth = gbuffer->normal_and_depth.read(3, 1);
   request.object_id = gbuffer->object_id.read(0, 1);
   for (size_t i = 0; i < settings.models.size(); ++i) {
@@ -60,7 +69,7 @@ LineRequest ReferencePass::request(Flow& flow, const FrameState& frame) {
                               .object_id = static_cast<int>(i) + 1,
                               .full = is_full ? drawn : meshes.full_mesh(model),
                               .drawn = drawn,
-                              .full_key = full_key(meshes, model),
+                              .full_key = full_key(meshes, model, settings.judge),
                               .drawn_key = meshes.identity(model, level)});
   }
   return request;

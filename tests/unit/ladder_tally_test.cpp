@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "studies/measures/ladder_measures.h"
-#include "studies/measures/measures.h"
+#include "studies/measures/ladder_tally.h"
+#include "tests/unit/measured.h"
 
 namespace inkbench {
 namespace {
@@ -32,43 +32,43 @@ std::optional<double> kept(const LineView& level, const LineView& full) {
   return tally_inner(level, full).kept.share();
 }
 
-TEST(LadderMeasures, the_full_mesh_against_itself_keeps_all_and_adds_nothing) {
+TEST(LadderTallies, the_full_mesh_against_itself_keeps_all_and_adds_nothing) {
   const LineView full = view({30, 50});
   EXPECT_EQ(geometry(full, full), 1.0);
   EXPECT_EQ(kept(full, full), 1.0);
   EXPECT_EQ(tally_inner(full, full).new_share(), 0.0);
 }
 
-TEST(LadderMeasures, inner_lines_lost_and_new_are_shares_of_their_own_view) {
+TEST(LadderTallies, inner_lines_lost_and_new_are_shares_of_their_own_view) {
   const InnerTally changed = tally_inner(view({30, 60}), view({30, 40, 50}));
   EXPECT_NEAR(*changed.kept.share(), 1.0 / 3, 1e-12);
   EXPECT_NEAR(*changed.new_share(), 1.0 / 2, 1e-12);
 }
 
-TEST(LadderMeasures, an_inner_line_moved_within_the_tolerance_is_kept) {
+TEST(LadderTallies, an_inner_line_moved_within_the_tolerance_is_kept) {
   EXPECT_EQ(kept(view({32}), view({30})), 1.0);
   EXPECT_EQ(kept(view({33}), view({30})), 0.0);
 }
 
-TEST(LadderMeasures, pixels_within_twice_the_tolerance_of_the_outline_are_not_inner) {
+TEST(LadderTallies, pixels_within_twice_the_tolerance_of_the_outline_are_not_inner) {
   EXPECT_FALSE(kept(view({14}), view({14})).has_value());
   EXPECT_TRUE(kept(view({15}), view({15})).has_value());
   EXPECT_FALSE(tally_inner(view({}), view({})).new_share().has_value());
 }
 
-TEST(LadderMeasures, moved_outline_is_the_geometrys_loss) {
+TEST(LadderTallies, moved_outline_is_the_geometrys_loss) {
   EXPECT_EQ(geometry(view({}, 20), view({}, 10)), 0.0);
   EXPECT_EQ(end_to_end(view({}, 20), view({}, 10)), 0.0);
 }
 
-TEST(LadderMeasures, lines_that_the_full_mesh_allows_are_not_false) {
+TEST(LadderTallies, lines_that_the_full_mesh_allows_are_not_false) {
   LineView full = view({30});
   EXPECT_LT(end_to_end(full, full), 1.0);
   draw_vertical(full.allowed, 30);
   EXPECT_EQ(end_to_end(full, full), 1.0);
 }
 
-TEST(LadderMeasures, views_pool_by_counts) {
+TEST(LadderTallies, views_pool_by_counts) {
   const LineView one = view({30, 50}), other = view({30, 40, 45, 60}), moved = view({30}, 20);
   InnerTally inner = tally_inner(one, other);
   const InnerTally second = tally_inner(moved, one);
@@ -82,14 +82,14 @@ TEST(LadderMeasures, views_pool_by_counts) {
   EXPECT_NEAR(f1_of(ladder.geometry), 0.5, 1e-12);
 }
 
-TEST(LadderMeasures, the_f_alone_is_the_f_among_all_measures) {
+TEST(LadderTallies, the_f_alone_is_the_f_among_all_measures) {
   LineView one = view({30, 50}), other = view({32, 44}, 11);
   draw_vertical(other.allowed, 50);
   const F1Counts counts =
       tally_f1({.prediction = one.drawn, .reference = other.drawn, .allowed = &other.allowed});
-  const Measures all = measures_of(
-      tally_lines({.prediction = one.drawn, .reference = other.drawn, .allowed = &other.allowed}));
-  EXPECT_EQ(f1_of(counts), all.f1);
+  const Measured all(
+      LinesToMeasure{.prediction = one.drawn, .reference = other.drawn, .allowed = &other.allowed});
+  EXPECT_EQ(f1_of(counts), all["f1"]);
   EXPECT_EQ(f1_of(F1Counts{}), 1.0);
 }
 

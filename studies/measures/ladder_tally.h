@@ -3,8 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string_view>
 
 #include "pipeline/lines/line_map.h"
 #include "studies/measures/tally.h"
@@ -44,23 +42,5 @@ struct InnerTally {
 /// Drawn pixels are thinned; an inner one is further than twice the tolerance from every outline pixel of its
 /// own view.
 InnerTally tally_inner(const LineView& level, const LineView& full, double tolerance_px = kTolerancePx);
-
-struct LadderMeasures {
-  double f1_geometry = 0, f1_end_to_end = 0;
-  std::optional<double> internal_kept;  ///< None where the full mesh draws no inner pixel.
-  std::optional<double> internal_new;   ///< None where the level draws none.
-};
-
-LadderMeasures measures_of(const LadderTally& ladder, const InnerTally& inner);
-
-/// One of them by the name under which data.csv gives it.
-struct LadderMeasureInfo {
-  std::string_view key;
-  std::string_view help;
-  bool more_is_better = true;
-  std::optional<double> (*value)(const LadderMeasures&) = nullptr;
-};
-
-std::span<const LadderMeasureInfo> ladder_measure_list();
 
 }  // namespace inkbench

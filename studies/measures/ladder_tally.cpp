@@ -1,10 +1,7 @@
-#include "studies/measures/ladder_measures.h"
-
-#include <array>
+#include "studies/measures/ladder_tally.h"
 
 #include "studies/measures/distance.h"
 #include "studies/measures/matching.h"
-#include "studies/measures/measures.h"
 
 namespace inkbench {
 namespace {
@@ -50,27 +47,6 @@ void InnerTally::add(const InnerTally& other) {
 std::optional<double> InnerTally::new_share() const {
   const std::optional<double> share = known.share();
   return share ? std::optional(1.0 - *share) : std::nullopt;
-}
-
-LadderMeasures measures_of(const LadderTally& ladder, const InnerTally& inner) {
-  return {f1_of(ladder.geometry), f1_of(ladder.end_to_end), inner.kept.share(), inner.new_share()};
-}
-
-std::span<const LadderMeasureInfo> ladder_measure_list() {
-  using Value = std::optional<double>;
-  static constexpr std::array<LadderMeasureInfo, 4> kList{{
-      {"f1_geometry",
-       "F of this level's reference lines against the full mesh's: what the missing triangles cost.", true,
-       [](const LadderMeasures& m) -> Value { return m.f1_geometry; }},
-      {"f1_end_to_end",
-       "F of this level's drawn lines against the full mesh's reference lines: what both cost.", true,
-       [](const LadderMeasures& m) -> Value { return m.f1_end_to_end; }},
-      {"internal_kept", "Share of the full mesh's drawn inner pixels that this level draws too.", true,
-       [](const LadderMeasures& m) { return m.internal_kept; }},
-      {"internal_new", "Share of this level's drawn inner pixels that the full mesh does not draw.", false,
-       [](const LadderMeasures& m) { return m.internal_new; }},
-  }};
-  return kList;
 }
 
 InnerTally tally_inner(const LineView& level, const LineView& full, double tolerance_px) {

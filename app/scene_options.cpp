@@ -1,0 +1,48 @@
+#include "app/scene_options.h"
+
+#include "app/size_option.h"
+#include "pipeline/base/files.h"
+#include "pipeline/export.h"
+#include "pipeline/mesh/levels/replace_mesh.h"
+#include "pipeline/settings/settings_file.h"
+
+namespace inkbench {
+namespace {
+
+ChosenScene base_scene(const SceneOptions& options) {
+  if (!options.from.empty()) {
+    ImageOrigin origin = read_origin(options.from);
+    return {std::move(origin.settings), origin.buffer};
+  }
+  return {
+      load_settings(options.scene.empty() ? project_file("data/scenes/paper.toml") : fs::path(options.scene)),
+      std::nullopt};
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  auto* scene =
+      command.add_option("--scene", options.scene, "Scene file (TOML); the paper's scene without it");
+  command.add_option("--from", options.from, "Make an exported image again, from the parameters it carries")
+      ->excludes(scene);
+  command.add_option("--mesh", options.mesh,
+                     "Mesh file (OBJ, PLY, OFF, STL) to put where the main model stands");
+  command.add_option("--size", options.size, "Image size in px, as WIDTHxHEIGHT");
+  command
+      .add_option("--set", options.assignments,
+                  "KEY=VALUE: set a parameter (`inkbench params` lists them); repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+ChosenScene chosen_scene(const SceneOptions& options) {
+  ChosenScene chosen = base_scene(options);
+  if (!options.mesh.empty()) replace_main_mesh(chosen.settings, options.mesh);
+  if (!options.size.empty()) apply_size(chosen.settings, options.size);
+  for (const std::string& assignment : options.assignments) apply_assignment(chosen.settings, assignment);
+  check_settings(chosen.settings);
+  return chosen;
+}
+
+}  // namespace inkbench

@@ -1,0 +1,79 @@
+#include "studies/judging/drawing_meter.h"
+
+#include <optional>
+
+#include "pipeline/passes/lines/reference.h"
+
+namespace inkbench {
+namespace {
+
+constexpr int64_t kKeptBytes = 64 << 20;
+
+Settings with_full_mesh(Settings settings) {
+  settings.mesh = MeshParams{};
+  return settings;
+}
+
+/// The value of that key; all others are forgotten first where they take too much room.
+template <class Value, class Make>
+const Value& kept(std::map<Key, Value>& values, const Key& key, int64_t bytes_each, const Make& make) {
+  if (const auto found = values.find(key); found != values.end()) return found->second;
+  if (static_cast<int64_t>(values.size() + 1) * bytes_each > kKeptBytes) values.clear();
+  return values[key] = make();
+}
+
+}  // namespace
+
+size_t drawn_faces(Pipeline& pipeline, const Settings& settings) {
+  const std::optional<size_t> model = main_model_index(settings);
+  if (!model) return 0;
+  return pipeline.meshes().get(settings.models[*model], level_of(settings, *model))->face_count();
+}
+
+/// The full mesh has its own level's normals and the drawing's other settings.
+LineView DrawingMeter::full_view(const Frame& full) {
+  const Settings& settings = full.settings();
+  const int64_t bytes = int64_t{settings.image.width} * settings.image.height / 8;
+  const Key lines = KeyBuilder().add(full.key(BufferName::reference)).add(judge_text(settings.judge)).key();
+  LineView view = kept(full_lines_, lines, 3 * bytes,
+                       [&] { return line_view({}, *full.value<ReferencePass>(), settings.judge); });
+  if (!needs_.inner) return view;
+  view.drawn = kept(full_drawings_, full.key(BufferName::combined_edges), bytes,
+                    [&] { return drawn_lines(full.raw(BufferName::combined_edges)); });
+  return view;
+}
+
+DrawingTally DrawingMeter::tally(const Frame& frame) {
+  const Settings& settings = frame.settings();
+  // The full mesh first, so that what is kept in the end is this drawing's, which the next may share.
+  std::optional<LineView> full;
+  if (needs_.full_mesh()) full = full_view(pipeline_.at(with_full_mesh(settings)));
+  const LineMap drawn = drawn_lines(frame.raw(BufferName::combined_edges));
+  std::shared_ptr<const ReferenceLines> lines;
+  if (needs_.reference_lines()) lines = frame.value<ReferencePass>();
+  const LineView view =
+      lines == nullptr ? LineView{drawn, {}, {}, {}} : line_view(drawn, *lines, settings.judge);
+  DrawingTally tally = tally_view({view, lines.get(), full ? &*full : nullptr}, settings.judge, needs_);
+  if (needs_.faces) tally.faces = drawn_faces(pipeline_, settings);
+  return tally;
+}
+
+DrawingTally DrawingMeter::tally(std::span<const Settings> views) {
+  DrawingTally sum;
+  for (const Settings& view : views) sum.add(tally(pipeline_.at(view)));
+  return sum;
+}
+
+Key DrawingMeter::key(const Frame& frame) {
+  KeyBuilder builder;
+  builder.add(frame.key(BufferName::combined_edges));
+  if (needs_.reference_lines())
+    builder.add(frame.key(BufferName::reference)).add(judge_text(frame.settings().judge));
+  if (!needs_.full_mesh()) return builder.key();
+  const Frame full = pipeline_.at(with_full_mesh(frame.settings()));
+  builder.add(full.key(BufferName::reference));
+  if (needs_.inner) builder.add(full.key(BufferName::combined_edges));
+  return builder.key();
+}
+
+}  // namespace inkbench

@@ -1,0 +1,40 @@
+// Settings to a tally: draws, finds the reference lines, and counts. In: settings, or those of several views.
+// Out: the tally of the drawing, whose counts all views add to before any ratio is taken. What studies and
+// the command line measure with; the window hands the same `tally_view` what it has drawn already.
+#pragma once
+
+#include <map>
+#include <span>
+
+#include "pipeline/pipeline.h"
+#include "studies/judging/measured_lines.h"
+
+namespace inkbench {
+
+class DrawingMeter {
+ public:
+  /// `pipeline` must outlive it.
+  DrawingMeter(Pipeline& pipeline, const MeasureNeeds& needs) : pipeline_(pipeline), needs_(needs) {}
+
+  /// Of one view, judged as its settings say. Errors: as `Frame::raw`.
+  DrawingTally tally(const Frame& frame);
+
+  /// Of all views together.
+  DrawingTally tally(std::span<const Settings> views);
+
+  /// Of all that decides what `tally` gives for the frame but its code.
+  Key key(const Frame& frame);
+
+ private:
+  LineView full_view(const Frame& full);
+
+  Pipeline& pipeline_;
+  MeasureNeeds needs_;
+  std::map<Key, LineView> full_lines_;    ///< The full mesh's lines in each view; `drawn` is left empty.
+  std::map<Key, LineMap> full_drawings_;  ///< And its drawings, for all k's that a sweep comes back to.
+};
+
+/// The triangles of the main model as drawn; 0 without one.
+size_t drawn_faces(Pipeline& pipeline, const Settings& settings);
+
+}  // namespace inkbench

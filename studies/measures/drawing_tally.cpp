@@ -1,0 +1,32 @@
+#include "studies/measures/drawing_tally.h"
+
+namespace inkbench {
+namespace {
+
+template <class Tally>
+void pool(std::optional<Tally>& sum, const std::optional<Tally>& other) {
+  if (sum && other) sum->add(*other);
+  if (!sum) sum = other;
+}
+
+}  // namespace
+
+void DrawingTally::add(const DrawingTally& other) {
+  pixels += other.pixels;
+  ink += other.ink;
+  if (faces == 0) faces = other.faces;
+  lines.add(other.lines);
+  for (size_t i = 0; i < recall.size(); ++i) recall[i].add(other.recall[i]);
+  pool(ladder, other.ladder);
+  pool(inner, other.inner);
+}
+
+DrawingTally tally_maps(const LinesToMeasure& lines) {
+  DrawingTally tally;
+  tally.pixels = int64_t{lines.prediction.width_px()} * lines.prediction.height_px();
+  tally.ink = without_border(lines.prediction).count();
+  tally.lines = tally_lines(lines);
+  return tally;
+}
+
+}  // namespace inkbench

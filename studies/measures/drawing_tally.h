@@ -1,0 +1,29 @@
+// What a whole drawing adds up to, over all of its views: the counts from which every measure follows. In:
+// the tallies of views. Out: their sum.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "pipeline/lines/lines.h"
+#include "studies/measures/ladder_tally.h"
+#include "studies/measures/tally.h"
+
+namespace inkbench {
+
+/// Pools by addition. What was not asked for is empty.
+struct DrawingTally {
+  int64_t pixels = 0, ink = 0;  ///< Of the whole image; of line maps alone `ink` is without the border.
+  size_t faces = 0;             ///< Triangles of the main model as drawn, in the first view.
+  LineTally lines;
+  std::array<ShareCounts, kLineClasses.size()> recall;  ///< By class.
+  std::optional<LadderTally> ladder;                    ///< Against the full mesh.
+  std::optional<InnerTally> inner;
+
+  void add(const DrawingTally& other);
+};
+
+/// Of line maps alone: ink and lines.
+DrawingTally tally_maps(const LinesToMeasure& lines);
+
+}  // namespace inkbench

@@ -1,0 +1,42 @@
+#include "studies/sweep/cell_keys.h"
+
+#include <algorithm>
+
+#include "pipeline/settings/settings_file.h"
+#include "studies/sweep/number_columns.h"
+
+namespace inkbench {
+namespace {
+
+bool shows_lines(const StudySpec& spec) {
+  return std::find(spec.show.begin(), spec.show.end(), BufferName::reference) != spec.show.end();
+}
+
+std::string text_without_judge(Settings settings) {
+  settings.judge = {};
+  return settings_text(settings);
+}
+
+}  // namespace
+
+bool finds_lines(const StudySpec& spec) {
+  return shows_lines(spec) || needs_of(spec).reference_lines();
+}
+
+CellKeys cell_keys(Pipeline& pipeline, const StudySpec& spec, const Cell& cell, const ResultOrigin& origin) {
+  DrawingMeter meter(pipeline, needs_of(spec));
+  KeyBuilder pictures, numbers;
+  pictures.add(origin.drawing_sources).add(origin.renderer);
+  numbers.add(origin.drawing_sources).add(origin.measuring_sources).add(origin.renderer);
+  for (size_t view = 0; view < view_count(spec); ++view) {
+    const Frame frame = pipeline.at(view_settings(spec, cell, view));
+    pictures.add(text_without_judge(frame.settings()));
+    for (const BufferName buffer : spec.show) pictures.add(name_of(buffer)).add(frame.picture_key(buffer));
+    numbers.add(meter.key(frame));
+    if (finds_lines(spec)) numbers.add(frame.key(BufferName::reference));  // they lie beside the numbers
+  }
+  for (const std::string& column : number_columns(spec)) numbers.add(column);
+  return {pictures.key(), numbers.key()};
+}
+
+}  // namespace inkbench

@@ -1,0 +1,22 @@
+// The keys of a study's cell: what its pictures and what its numbers depend on. Same key, same results: a
+// further run keeps them.
+#pragma once
+
+#include "studies/judging/drawing_meter.h"
+#include "studies/sweep/result_origin.h"
+#include "studies/sweep/spec.h"
+
+namespace inkbench {
+
+struct CellKeys {
+  Key pictures;  ///< Settings but for the judge's, passes, buffers shown, who draws.
+  Key numbers;   ///< Measures, judging, the drawn lines that they are of, who draws and measures.
+};
+
+/// Whether the study's cells have reference lines: measured against them, or shown.
+bool finds_lines(const StudySpec& spec);
+
+/// Errors (input): a mesh or ramp cannot be read.
+CellKeys cell_keys(Pipeline& pipeline, const StudySpec& spec, const Cell& cell, const ResultOrigin& origin);
+
+}  // namespace inkbench
