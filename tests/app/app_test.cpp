@@ -13,6 +13,7 @@
 
 #include "tests/app/display.h"
 #include "tests/cli/command.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -87,8 +88,8 @@ void AppTest::open(bool close_keys_page) {
 
 void AppTest::open_with(const std::vector<std::string>& arguments, bool close_keys_page) {
   std::filesystem::remove(file("state.json"));
-  std::vector<std::string> command{INKBENCH_EXECUTABLE, "app",          "--size",
-                                   "1100x720",          "--state-file", file("state.json").string()};
+  std::vector<std::string> command{inkbench_program(), "app",          "--size",
+                                   "1100x720",         "--state-file", file("state.json").string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   marks_ = 0;
   process_ = start_program(command, environment_, folder_.path().string(), file("output.txt").string());

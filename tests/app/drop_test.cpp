@@ -3,6 +3,7 @@
 #include "tests/app/app_test.h"
 #include "tests/app/drop_source.h"
 #include "tests/cli/command.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -21,7 +22,7 @@ class AppDrop : public AppTest {
   /// A picture of the scene with other settings, under any name.
   fs::path export_picture(const std::string& k, const fs::path& name) {
     const CommandResult result =
-        run_command({INKBENCH_EXECUTABLE, "render", "--scene", file("scene.toml").string(), "--set",
+        run_command({inkbench_program(), "render", "--scene", file("scene.toml").string(), "--set",
                      "combine.k_normal=" + k, "--set", "camera.fov=50", "--buffers", "final", "--out",
                      file("out").string()},
                     {.environment = environment_});
@@ -85,7 +86,7 @@ TEST_F(AppDrop, study_and_the_grid_of_one_are_opened_as_a_form) {
   drop_files({file("sweep.toml")});
   EXPECT_EQ(wait_for_form("/sweep.toml")["studies"]["form"]["problem"], "");
   const CommandResult result =
-      run_command({INKBENCH_EXECUTABLE, "study", file("sweep.toml").string(), "--out", file("out").string()},
+      run_command({inkbench_program(), "study", file("sweep.toml").string(), "--out", file("out").string()},
                   {.environment = environment_});
   ASSERT_EQ(result.status, 0) << result.err;
   drop_files({file("out/grid.png")});

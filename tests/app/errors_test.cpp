@@ -5,6 +5,7 @@
 #include "pipeline/base/files.h"
 #include "tests/app/app_test.h"
 #include "tests/cli/command.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -29,7 +30,7 @@ TEST_F(AppErrors, without_a_display_names_the_commands_that_need_none) {
   CommandOptions options;
   options.environment = {
       {"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}, {"XDG_CONFIG_HOME", file("config").string()}};
-  const CommandResult result = run_command({INKBENCH_EXECUTABLE, "app"}, options);
+  const CommandResult result = run_command({inkbench_program(), "app"}, options);
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.err.find("`inkbench render` and `inkbench study`"), std::string::npos) << result.err;
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;

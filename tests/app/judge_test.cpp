@@ -4,6 +4,7 @@
 
 #include "tests/app/app_test.h"
 #include "tests/cli/command.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -39,7 +40,7 @@ class AppJudge : public AppTest {
     CommandOptions options;
     options.environment = environment_;
     const CommandResult result = run_command(
-        {INKBENCH_EXECUTABLE, "study", file("study.toml").string(), "--out", file("out").string()}, options);
+        {inkbench_program(), "study", file("study.toml").string(), "--out", file("out").string()}, options);
     EXPECT_EQ(result.status, 0) << result.err;
     std::ifstream stream(file("out") / "data.csv");
     std::string line;

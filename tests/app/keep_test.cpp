@@ -5,6 +5,7 @@
 
 #include "tests/app/app_test.h"
 #include "tests/cli/command.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -44,7 +45,7 @@ class AppKeep : public AppTest {
 
   fs::path render(const std::string& buffer, const std::string& format) {
     const CommandResult result =
-        run_command({INKBENCH_EXECUTABLE, "render", "--scene", file("scene.toml").string(), "--buffers",
+        run_command({inkbench_program(), "render", "--scene", file("scene.toml").string(), "--buffers",
                      buffer, "--format", format, "--out", file("out").string()},
                     {.environment = environment_});
     EXPECT_EQ(result.status, 0) << result.err;

@@ -5,6 +5,7 @@
 #include "pipeline/image/image_file.h"
 #include "tests/app/app_test.h"
 #include "tests/cli/command.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -122,9 +123,9 @@ class AppStudy : public AppTest {
 
   /// `inkbench study` by hand; the last progress that it tells.
   Json run_by_hand(const fs::path& spec, const fs::path& out) {
-    const CommandResult result = run_command(
-        {INKBENCH_EXECUTABLE, "study", spec.string(), "--out", out.string(), "--progress", "json"},
-        {.environment = environment_});
+    const CommandResult result =
+        run_command({inkbench_program(), "study", spec.string(), "--out", out.string(), "--progress", "json"},
+                    {.environment = environment_});
     EXPECT_EQ(result.status, 0) << result.err;
     const size_t at = result.out.rfind("{\"done\"");
     if (at == std::string::npos) return nullptr;

@@ -4,6 +4,7 @@
 #include "pipeline/image/image_file.h"
 #include "tests/app/app_test.h"
 #include "tests/cli/command.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -141,8 +142,8 @@ TEST_F(AppView, window_shows_the_pixels_that_render_writes) {
   const std::string note = saved["log"].back();
   const Picture window = read_picture(note.substr(note.find('/')), 3);
   const CommandResult result =
-      run_command({INKBENCH_EXECUTABLE, "render", "--scene", file("scene.toml").string(), "--buffers",
-                   "final", "--out", file("out").string()},
+      run_command({inkbench_program(), "render", "--scene", file("scene.toml").string(), "--buffers", "final",
+                   "--out", file("out").string()},
                   {.environment = environment_});
   ASSERT_EQ(result.status, 0) << result.err;
   const Picture written = read_picture(file("out") / "final.png", 3);

@@ -1,4 +1,5 @@
 #include "tests/cli/cli_test.h"
+#include "tests/places.h"
 
 #include <unistd.h>
 
@@ -60,7 +61,7 @@ CliTest::~CliTest() {
 }
 
 CommandResult CliTest::inkbench(const std::vector<std::string>& arguments, CommandOptions options) const {
-  std::vector<std::string> command{INKBENCH_EXECUTABLE};
+  std::vector<std::string> command{inkbench_program()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   if (options.working_folder.empty()) options.working_folder = folder_;
   return run_command(command, options);

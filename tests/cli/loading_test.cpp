@@ -1,5 +1,6 @@
 // What is loaded when: OpenImageIO's 260 libraries only where an image is read or written.
 #include "tests/cli/cli_test.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -37,7 +38,7 @@ TEST_F(Loading, a_picture_that_is_written_loads_it) {
 }
 
 TEST_F(Loading, a_missing_image_module_is_an_error_that_names_it) {
-  fs::copy_file(INKBENCH_EXECUTABLE, file("alone"));
+  fs::copy_file(inkbench_program(), file("alone"));
   const CommandResult result = run_command({file("alone").string(), "render", "--scene",
                                             write("scene.toml", small_scene()).string(), "--out", "out"},
                                            {.working_folder = file("")});

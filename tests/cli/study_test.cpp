@@ -8,6 +8,7 @@
 
 #include "pipeline/image/image_file.h"
 #include "tests/cli/study_fixture.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -283,7 +284,7 @@ TEST_F(Study, bundled_study_is_found_by_name_from_any_folder) {
 
 TEST_F(Study, every_bundled_study_is_valid) {
   for (const char* folder : {"studies", "studies/figures"}) {
-    EXPECT_TRUE(succeeds(inkbench({"study", fs::path(INKBENCH_SOURCE_DIR) / folder, "--dry-run"})));
+    EXPECT_TRUE(succeeds(inkbench({"study", fs::path(source_folder()) / folder, "--dry-run"})));
   }
 }
 

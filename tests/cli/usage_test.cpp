@@ -7,6 +7,7 @@
 #include "pipeline/base/text.h"
 #include "studies/measures/measures.h"
 #include "tests/cli/cli_test.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -137,7 +138,7 @@ TEST_F(Usage, tables_in_the_docs_are_the_programs) {
   for (const auto& [name, command] :
        {std::pair{"parameters.md", std::vector<std::string>{"params", "--format", "markdown"}},
         {"measures.md", {"measure", "--list", "markdown"}}}) {
-    const std::string content = content_of(fs::path(INKBENCH_SOURCE_DIR) / "docs" / name);
+    const std::string content = content_of(fs::path(source_folder()) / "docs" / name);
     const std::string marker = "<!-- generated: inkbench " + join(command, " ") + " -->\n";
     const size_t start = content.find(marker);
     ASSERT_NE(start, std::string::npos) << name << " has no line " << marker;
@@ -147,7 +148,7 @@ TEST_F(Usage, tables_in_the_docs_are_the_programs) {
 }
 
 TEST_F(Usage, every_measure_is_defined_in_the_docs) {
-  std::string page = content_of(fs::path(INKBENCH_SOURCE_DIR) / "docs/measures.md");
+  std::string page = content_of(fs::path(source_folder()) / "docs/measures.md");
   page.resize(page.find("## All measures"));
   for (const Measure& measure : measure_table()) {
     const std::string key = measure.line_class ? "recall_CLASS" : measure.key;
@@ -167,7 +168,7 @@ TEST_F(Usage, info_names_renderer_versions_and_data) {
   for (const char* word : {INKBENCH_VERSION, "renderer", "OpenGL", "4.", "EGL", "px", "bunny.obj"}) {
     EXPECT_THAT(result.out, HasSubstr(word));
   }
-  EXPECT_THAT(result.out, HasSubstr(INKBENCH_SOURCE_DIR));
+  EXPECT_THAT(result.out, HasSubstr(source_folder()));
 }
 
 TEST_F(Usage, info_says_where_the_rabbit_was_not_found) {

@@ -7,6 +7,7 @@
 #include "app/workbench/sweep_builder.h"
 #include "pipeline/settings/settings_file.h"
 #include "tests/cli/cli_test.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -54,7 +55,7 @@ TEST_F(WorkbenchCommands, a_sweep_of_models_that_no_scene_has_runs_too) {
 
 TEST_F(WorkbenchCommands, the_copied_command_draws_the_windows_settings) {
   const RenderCommand command = render_command(settings_, scene_, {BufferName::depth}, "out/a b");
-  const std::string program = std::string("inkbench() { '") + INKBENCH_EXECUTABLE + "' \"$@\"; }\n";
+  const std::string program = std::string("inkbench() { '") + inkbench_program() + "' \"$@\"; }\n";
   const CommandResult result =
       run_command({"/bin/sh", "-c", program + command.text}, {.working_folder = file("")});
   ASSERT_TRUE(succeeds(result));

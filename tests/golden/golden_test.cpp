@@ -18,6 +18,7 @@
 #include "pipeline/pipeline.h"
 #include "studies/sweep/spec.h"
 #include "tests/golden/image_comparison.h"
+#include "tests/places.h"
 
 namespace inkbench {
 namespace {
@@ -45,7 +46,7 @@ std::string figure_name(int figure) {
 }
 
 fs::path reference_folder() {
-  return fs::path(INKBENCH_SOURCE_DIR) / "tests/golden/reference";
+  return fs::path(source_folder()) / "tests/golden/reference";
 }
 
 /// The figure's study at 256 px width, its own aspect kept.
@@ -76,7 +77,7 @@ std::vector<FigureCell> draw_figure(Pipeline& pipeline, int figure) {
 
 /// Writes the reference, the picture and their difference where a person can look at them.
 std::string keep_difference(const FigureCell& cell, const Picture& difference) {
-  const fs::path folder = fs::path(INKBENCH_GOLDEN_OUTPUT);
+  const fs::path folder = fs::path(golden_output_folder());
   write_png(folder / (cell.name + "_now.png"), cell.picture, {});
   write_png(folder / (cell.name + "_difference.png"), difference, {});
   return (folder / (cell.name + "_difference.png")).string();
