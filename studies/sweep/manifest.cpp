@@ -57,6 +57,7 @@ void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyRe
        {{"written", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))},
         {"cells_drawn", result.progress.drawn},
         {"cells_measured", result.progress.measured},
+        {"pictures_decoded", result.pictures_decoded},
         {"seconds", result.progress.seconds}}}};
   write_file_atomically(folder / "manifest.json",
                         manifest.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

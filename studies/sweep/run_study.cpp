@@ -18,6 +18,7 @@
 #include "pipeline/passes/lines/reference.h"
 #include "studies/judging/drawing_meter.h"
 #include "studies/sweep/cell_keys.h"
+#include "studies/sweep/cell_tiles.h"
 #include "studies/sweep/manifest.h"
 #include "studies/sweep/number_columns.h"
 #include "studies/sweep/study_folder.h"
@@ -92,11 +93,16 @@ class StudyRun {
   void write_report() {
     result_.charts = draw_study_charts(spec_, folder_.path(), result_.failures);
     StudyPageWriter page(spec_, folder_, {study_command(spec_), renderer_info().renderer, study_versions()},
-                         result_.charts);
-    result_.grids = write_study_grid(spec_, folder_, [&](size_t cell, size_t shown, const Picture& picture) {
-      page.add(cell, shown, picture);
+                         result_.charts, tiles_);
+    tiles_.keep_missing(folder_);
+    result_.grids = write_study_grid(spec_, folder_, [&](size_t cell, size_t shown) {
+      KeptPicture kept = tiles_.get(folder_, cell, shown);
+      page.add(cell, shown, kept);
+      return kept;
     });
     result_.page = page.write(result_.grids);
+    result_.pictures_decoded = tiles_.decoded();
+    tiles_.remove_others();
   }
 
   void draw_cells() {
@@ -155,8 +161,10 @@ class StudyRun {
     const size_t index = drawn.place.cell;
     try {
       for (size_t i = 0; i < drawn.pictures.size(); ++i) {
-        write_png(folder_.path() / folder_.cell_file(index, drawn.place.view, spec_.show[i]),
-                  drawn.pictures[i], export_text(drawn.settings, spec_.show[i]));
+        const std::string file = folder_.cell_file(index, drawn.place.view, spec_.show[i]);
+        write_png(folder_.path() / file, drawn.pictures[i], export_text(drawn.settings, spec_.show[i]));
+        tiles_.keep(index, drawn.place.view * spec_.show.size() + i, drawn.pictures[i],
+                    record_file(folder_.path(), file).hash);
       }
       if (const std::optional<OpenCell> whole = note_stored(index)) {
         folder_.add(index, cell_numbers(spec_, whole->tally), whole->overlays);
@@ -214,6 +222,7 @@ class StudyRun {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   ResultOrigin origin_;
   StudyFolder folder_;
+  CellTiles tiles_{spec_, folder_.path() / "tiles"};
   StudyResult result_;
   std::map<size_t, OpenCell> open_;
   std::set<std::string> overlays_;  ///< Written in this run.

@@ -42,6 +42,7 @@ struct StudyResult {
   bool stopped = false;               ///< Not all cells were tried.
   std::vector<std::string> failures;  ///< "cell NAME: message", "chart NAME: message".
   std::vector<std::filesystem::path> grids;
+  size_t pictures_decoded = 0;  ///< For grid and page, for want of their tiles.
   std::vector<DrawnChart> charts;
   std::filesystem::path page;  ///< The report; empty where the study was stopped.
 };

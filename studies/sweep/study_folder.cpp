@@ -170,6 +170,19 @@ size_t StudyFolder::done_count() const {
   return done_.size();
 }
 
+std::vector<size_t> StudyFolder::done_cells() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<size_t> cells;
+  for (const auto& [index, record] : done_) cells.push_back(index);
+  return cells;
+}
+
+std::vector<FileRecord> StudyFolder::pictures(size_t index) const {
+  const std::lock_guard lock(mutex_);
+  const std::vector<FileRecord>& files = done_.at(index).files;
+  return {files.begin(), files.begin() + static_cast<std::ptrdiff_t>(picture_count(spec_))};
+}
+
 std::string StudyFolder::cell_file(size_t index, size_t view, BufferName buffer) const {
   const size_t digits = std::max<size_t>(4, std::to_string(keys_.size()).size());
   const std::string view_part = spec_.views.empty() ? "" : spec_.views[view].name + "_";

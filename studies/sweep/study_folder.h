@@ -47,6 +47,10 @@ class StudyFolder {
 
   const std::filesystem::path& path() const { return folder_; }
 
+  std::vector<size_t> done_cells() const;
+  /// The files of a finished cell's pictures, view by view.
+  std::vector<FileRecord> pictures(size_t index) const;
+
   /// "cells/0001_final.png", or with views "cells/0001_front_final.png"; relative to the folder.
   std::string cell_file(size_t index, size_t view, BufferName buffer) const;
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "pipeline/base/text.h"
-#include "pipeline/image/image_file.h"
 #include "studies/report/grid.h"
+#include "studies/report/grid_plan.h"
 
 namespace inkbench {
 namespace {
@@ -67,14 +67,6 @@ GridLayout make_layout(const StudySpec& spec) {
   return layout;
 }
 
-/// Copies a picture into another at x; a picture of another size (an axis may vary it) is cut.
-void paste(Picture& target, const Picture& source, int x) {
-  const int width = std::min(source.width_px, target.width_px - x);
-  for (int y = 0; y < std::min(source.height_px, target.height_px); ++y) {
-    std::copy_n(&source.at(0, y), static_cast<size_t>(width) * 3, &target.at(x, y));
-  }
-}
-
 /// An earlier run may have needed more pages: grid_2.png, grid_3.png, ... without a gap.
 void remove_further_pages(const std::filesystem::path& folder) {
   for (int page = 2; std::filesystem::remove(folder / ("grid_" + std::to_string(page) + ".png")); ++page) {
@@ -91,27 +83,50 @@ GridAxis grid_axis(const StudySpec& spec, size_t index) {
   return labels;
 }
 
+CellLayout cell_layout(const StudySpec& spec) {
+  const GridPlan plan = plan_grid(make_layout(spec));
+  CellLayout layout;
+  layout.one_picture = cell_is_the_grid(spec);
+  layout.pictures = layout.one_picture ? 1 : picture_count(spec);
+  layout.picture_width_px = spec.base.image.width;
+  layout.width_px = cell_width_px(spec);
+  layout.height_px = spec.base.image.height;
+  layout.room_width_px = plan.cell_width_px;
+  layout.room_height_px = plan.cell_height_px;
+  return layout;
+}
+
+TilePlace place_of(const CellLayout& layout, size_t shown, const Picture& picture) {
+  const int width = layout.one_picture ? picture.width_px : layout.width_px;
+  const int height = layout.one_picture ? picture.height_px : layout.height_px;
+  const DrawnSize drawn = size_in_cell(width, height, layout.room_width_px, layout.room_height_px);
+  const int pitch = layout.picture_width_px + kGapPx;
+  const int first = layout.one_picture ? 0 : static_cast<int>(shown) * pitch;
+  const bool is_last = layout.one_picture || shown + 1 == layout.pictures;
+  return {width, height, drawn.width_px, drawn.height_px, first, is_last ? width : first + pitch};
+}
+
+std::string text_of(const CellLayout& layout, size_t shown) {
+  const std::string room = fmt::format("{} x {}", layout.room_width_px, layout.room_height_px);
+  if (layout.one_picture) return room;
+  return fmt::format("{} of {}, {} wide, {} x {} to {}", shown, layout.pictures, layout.picture_width_px,
+                     layout.width_px, layout.height_px, room);
+}
+
 std::vector<std::filesystem::path> write_study_grid(const StudySpec& spec, const StudyFolder& folder,
-                                                    const PictureSink& on_picture) {
+                                                    const TileSource& tile) {
   const GridLayout layout = make_layout(spec);
-  const auto read = [&](size_t index, size_t shown) {
-    const std::vector<std::string> files = folder.picture_files(index);
-    Picture picture = read_picture(folder.path() / files[shown], 3);
-    on_picture(index, shown, picture);
-    return picture;
-  };
   const auto cell_picture = [&](int column, int row, int page) -> std::optional<Picture> {
     const size_t columns = layout.columns.values.size();
     const size_t index = (static_cast<size_t>(page) * layout.rows.values.size() + row) * columns + column;
     if (!folder.is_done(cell_is_the_grid(spec) ? 0 : index)) return std::nullopt;
-    if (cell_is_the_grid(spec)) return read(0, index);  // a view a row, a buffer a column
-    Picture picture(cell_width_px(spec), spec.base.image.height, 3, 255);
-    int x = 0;
-    for (size_t shown = 0; shown < picture_count(spec); ++shown) {
-      paste(picture, read(index, shown), x);
-      x += spec.base.image.width + kGapPx;
+    std::vector<Tile> tiles;
+    if (cell_is_the_grid(spec)) {
+      tiles.push_back(tile(0, index).tile);  // a view a row, a buffer a column
+    } else {
+      for (size_t shown = 0; shown < picture_count(spec); ++shown) tiles.push_back(tile(index, shown).tile);
     }
-    return picture;
+    return joined(std::move(tiles));
   };
   remove_further_pages(folder.path());
   const ImageText text{{"Software", "inkbench " INKBENCH_VERSION},

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <optional>
 #include <thread>
 
 #include "pipeline/base/files.h"
@@ -118,22 +118,27 @@ size_t worker_count() {
 }  // namespace
 
 StudyPageWriter::StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin,
-                                 const std::vector<DrawnChart>& charts)
+                                 const std::vector<DrawnChart>& charts, CellTiles& tiles)
     : folder_(folder.path()),
+      tiles_(tiles),
       page_(make_page(spec, folder, origin, charts)),
       plan_(plan_thumbnails(page_.cells.size(), picture_count(spec), thumbnail_room(page_))),
       workers_(worker_count(), worker_count()) {
   for (PageCell& cell : page_.cells) cell.thumbnails.resize(std::min(cell.pictures.size(), plan_.per_cell));
 }
 
-void StudyPageWriter::add(size_t cell, size_t shown, const Picture& picture) {
+void StudyPageWriter::add(size_t cell, size_t shown, const KeptPicture& kept) {
   if (cell >= page_.cells.size() || shown >= plan_.per_cell) return;
-  workers_.add(
-      [this, cell, shown, copy = std::make_shared<Picture>(picture)] { make_thumbnail(cell, shown, *copy); });
+  if (const std::optional<std::string> text = chosen_thumbnail(kept.thumbnails, plan_)) {
+    page_.cells[cell].thumbnails[shown] = *text;
+  } else {
+    workers_.add([this, cell, shown] { make_thumbnail(cell, shown); });
+  }
 }
 
-void StudyPageWriter::make_thumbnail(size_t cell, size_t shown, const Picture& picture) {
+void StudyPageWriter::make_thumbnail(size_t cell, size_t shown) {
   try {
+    const Picture picture = tiles_.decode(folder_ / page_.cells[cell].pictures[shown]);
     page_.cells[cell].thumbnails[shown] = thumbnail(picture, plan_);
   } catch (...) {
     const std::lock_guard lock(mutex_);

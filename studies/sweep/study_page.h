@@ -1,5 +1,5 @@
-// A finished study's report page, index.html. In: the study's spec and folder, and its pictures as the grid
-// reads them. Out: the file, beside grid.png.
+// A finished study's report page, index.html. In: the study's spec and folder, and what is kept of its
+// pictures as the grid takes it. Out: the file, beside grid.png.
 #pragma once
 
 #include <exception>
@@ -11,6 +11,7 @@
 
 #include "studies/report/page.h"
 #include "studies/report/thumbnail.h"
+#include "studies/sweep/cell_tiles.h"
 #include "studies/sweep/spec.h"
 #include "studies/sweep/study_charts.h"
 #include "studies/sweep/study_folder.h"
@@ -29,18 +30,20 @@ class StudyPageWriter {
  public:
   /// All cells must have ended.
   StudyPageWriter(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin,
-                  const std::vector<DrawnChart>& charts);
+                  const std::vector<DrawnChart>& charts, CellTiles& tiles);
 
-  /// Makes a picture's thumbnail on another thread. Each picture is given once, from one thread.
-  void add(size_t cell, size_t shown, const Picture& picture);
+  /// Takes a picture's thumbnail; where its page is fuller or emptier than was foreseen, makes it of the
+  /// picture on another thread. Each picture is given once, from one thread.
+  void add(size_t cell, size_t shown, const KeptPicture& kept);
 
   /// Writes index.html; returns its path. Errors (work): full disk, a thumbnail could not be made.
   std::filesystem::path write(const std::vector<std::filesystem::path>& grids);
 
  private:
-  void make_thumbnail(size_t cell, size_t shown, const Picture& picture);
+  void make_thumbnail(size_t cell, size_t shown);
 
   std::filesystem::path folder_;
+  CellTiles& tiles_;
   StudyPage page_;
   ThumbnailPlan plan_;
   std::mutex mutex_;
