@@ -74,16 +74,17 @@ fs::path CellTiles::path_of(size_t cell, size_t shown, const std::string& hash) 
   return folder_ / (builder.key().text() + std::string(kEnding));
 }
 
-void CellTiles::write(const fs::path& path, const KeptPicture& kept) const {
+void CellTiles::write(const fs::path& path, const KeptPicture& kept) {
+  if (!can_write_) return;
   try {
     write_file_atomically(path, bytes_of(kept));
   } catch (const Error&) {
-    // A full disk: the picture itself is there, and can be decoded.
+    can_write_ = false;  // the picture itself is there, and can be decoded
   }
 }
 
-void CellTiles::keep(size_t cell, size_t shown, const Picture& picture, const std::string& hash) const {
-  write(path_of(cell, shown, hash), make(cell, shown, picture));
+void CellTiles::keep(size_t cell, size_t shown, const Picture& picture, const std::string& hash) {
+  if (can_write_) write(path_of(cell, shown, hash), make(cell, shown, picture));
 }
 
 void CellTiles::keep_missing(const StudyFolder& folder) {
@@ -94,7 +95,7 @@ void CellTiles::keep_missing(const StudyFolder& folder) {
     const std::vector<FileRecord> pictures = folder.pictures(cell);
     for (size_t shown = 0; shown < pictures.size(); ++shown) {
       const FileRecord& file = pictures[shown];
-      if (fs::exists(path_of(cell, shown, file.hash), error)) continue;
+      if (!can_write_ || fs::exists(path_of(cell, shown, file.hash), error)) continue;
       workers.add([this, cell, shown, hash = file.hash, path = folder.path() / file.name] {
         try {
           keep(cell, shown, decode(path), hash);

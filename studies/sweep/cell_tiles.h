@@ -20,9 +20,9 @@ class CellTiles {
   /// Errors (work): the grid's font is missing.
   CellTiles(const StudySpec& spec, std::filesystem::path folder);
 
-  /// Keeps what is shown of a cell's picture; `hash` is its file's. A tile that cannot be written is made
-  /// again when it is needed. Safe from any thread.
-  void keep(size_t cell, size_t shown, const Picture& picture, const std::string& hash) const;
+  /// Keeps what is shown of a cell's picture; `hash` is its file's. Once a tile cannot be written, the disk
+  /// being full, no more are kept: they are made when they are needed. Safe from any thread.
+  void keep(size_t cell, size_t shown, const Picture& picture, const std::string& hash);
 
   /// Makes the tiles that are not there of all pictures of finished cells, on several threads.
   void keep_missing(const StudyFolder& folder);
@@ -41,7 +41,7 @@ class CellTiles {
  private:
   KeptPicture make(size_t cell, size_t shown, const Picture& picture) const;
   std::filesystem::path path_of(size_t cell, size_t shown, const std::string& hash) const;
-  void write(const std::filesystem::path& path, const KeptPicture& kept) const;
+  void write(const std::filesystem::path& path, const KeptPicture& kept);
 
   struct Thumbnails {
     ThumbnailPlan most, least;  ///< The page's plan lies between; it is known when all cells have ended.
@@ -54,6 +54,7 @@ class CellTiles {
   Thumbnails thumbnails_;
   std::set<std::string> used_;
   std::atomic<size_t> decoded_ = 0;
+  std::atomic<bool> can_write_ = true;
 };
 
 }  // namespace inkbench

@@ -38,6 +38,7 @@ void label_axes(const StudySpec& spec, GridLayout& layout) {
     layout.subtitle = size;
     layout.columns = {"", shown_names(spec)};
     layout.rows = {"", names_of(spec.views)};
+    layout.pages = {"", {""}};
     return;
   }
   layout.subtitle = join(shown_names(spec), ", ") + " at " + size;

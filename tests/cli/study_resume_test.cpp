@@ -45,6 +45,17 @@ class StudyResume : public StudyTest {
     return nlohmann::json::parse(content_of(file(out) / "manifest.json")).at("times").at("cells_drawn");
   }
 
+  /// How many pictures the last run in a folder decoded for its grid and page.
+  int decoded(const std::string& out) const {
+    return nlohmann::json::parse(content_of(file(out) / "manifest.json")).at("times").at("pictures_decoded");
+  }
+
+  std::vector<fs::path> tiles(const std::string& out) const {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(file(out) / "tiles")) paths.push_back(entry.path());
+    return paths;
+  }
+
   double seconds_ = 0;
   FolderContent reference_;
 };
@@ -136,6 +147,48 @@ TEST_F(StudyResume, damaged_or_missing_cells_are_made_again) {
   std::ofstream(cells / "0007_final.png", std::ios::binary) << content;  // same size, other bytes
   std::ofstream(cells / "0009_final.png", std::ios::trunc).close();
   EXPECT_EQ(finish("out"), 4);
+}
+
+TEST_F(StudyResume, grid_and_page_decode_no_picture_in_any_run) {
+  make_reference();
+  EXPECT_EQ(decoded("reference"), 0);
+  fs::remove(file("reference/grid.png"));
+  EXPECT_EQ(finish("reference"), 0);
+  EXPECT_EQ(decoded("reference"), 0);
+}
+
+TEST_F(StudyResume, grid_and_page_decode_the_pictures_whose_tiles_are_damaged_or_missing) {
+  make_reference();
+  fs::copy(file("reference"), file("out"), fs::copy_options::recursive);
+  const std::vector<fs::path> paths = tiles("out");
+  ASSERT_EQ(paths.size(), 2U * kCells);
+  fs::remove(paths[0]);
+  fs::resize_file(paths[1], fs::file_size(paths[1]) - 1);
+  std::ofstream(paths[2], std::ios::trunc).close();
+  std::string content = content_of(paths[3]);
+  content[content.size() / 2] = static_cast<char>(content[content.size() / 2] + 1);
+  std::ofstream(paths[3], std::ios::binary) << content;
+  std::ofstream(paths[4], std::ios::binary) << content_of(file("out/cells/0001_final.png"));
+  EXPECT_EQ(finish("out"), 0);
+  EXPECT_EQ(decoded("out"), 5);
+}
+
+TEST_F(StudyResume, tiles_that_cannot_be_kept_cost_decoding_alone) {
+  make_reference();
+  write("out/tiles", "no folder");
+  ASSERT_TRUE(succeeds(study("s", "out")));
+  EXPECT_EQ(decoded("out"), 2 * kCells);
+  EXPECT_EQ(content_of(file("out/grid.png")), reference_.at("grid.png"));
+  EXPECT_EQ(content_of(file("out/index.html")), reference_.at("index.html"));
+}
+
+TEST_F(StudyResume, another_size_in_the_grid_decodes_each_picture_once_and_leaves_no_old_tiles) {
+  ASSERT_TRUE(succeeds(study("s", "out")));
+  write_spec("s", "grid_px = 100\nsize = [160, 120]\nshow = [\"final\", \"normal_edges\"]\n" +
+                      threshold_axis(kCells));
+  make_reference();
+  EXPECT_EQ(finish("out"), 0);
+  EXPECT_EQ(decoded("out"), 2 * kCells);
 }
 
 TEST_F(StudyResume, damaged_grid_table_or_manifest_is_made_again) {

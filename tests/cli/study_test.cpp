@@ -33,11 +33,21 @@ TEST_F(Study, leaves_report_grid_cells_table_and_manifest) {
                            "cells/0002_final.png", "cells/0003_final.png"}) {
     EXPECT_TRUE(fs::exists(file("out") / name)) << name;
   }
-  EXPECT_EQ(folder_content(file("out")).size(), 9U)
-      << "and the journal, and the reference lines, which all cells share";
+  EXPECT_EQ(folder_content(file("out")).size(), 12U)
+      << "and the journal, the reference lines, which all cells share, and a tile of each picture";
   const Picture grid = read_picture(file("out/grid.png"), 3);
   EXPECT_GT(grid.width_px, 3 * 64);
   EXPECT_GT(grid.height_px, 48);
+}
+
+TEST_F(Study, of_one_cell_has_a_grid_of_its_views_by_its_buffers) {
+  write_spec("s",
+             "show = [\"final\", \"depth\", \"normal\"]\n"
+             "[[view]]\nname = \"front\"\n[[view]]\nname = \"side\"\n[view.set]\ncamera.eye.x = 9\n");
+  ASSERT_TRUE(succeeds(study("s", "out")));
+  const Picture grid = read_picture(file("out/grid.png"), 3);
+  EXPECT_GT(grid.width_px, 3 * 64);
+  EXPECT_GT(grid.height_px, 2 * 48);
 }
 
 TEST_F(Study, progress_for_programs_is_a_json_line_for_each_step) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace inkbench {
 namespace {
 
@@ -41,6 +43,22 @@ TEST(Scaling, nothing_leaves_the_range_beside_an_edge) {
   }
   EXPECT_THAT(scaled(picture, 23, 23).samples,
               testing::Each(testing::AllOf(testing::Ge(100), testing::Le(200))));
+}
+
+TEST(Scaling, columns_made_alone_are_those_of_the_whole) {
+  Picture picture(101, 7, 3);
+  for (size_t i = 0; i < picture.samples.size(); ++i) picture.samples[i] = static_cast<uint8_t>(i * i >> 3);
+  const Picture whole = scaled(picture, 40, 3);
+  const Samples wanted{11, 13};
+  const int first = covered_samples(101, 40, wanted.first).first;
+  Picture part(covered_samples(101, 40, wanted.end - 1).end - first, 7, 3);
+  for (int y = 0; y < 7; ++y) std::copy_n(&picture.at(first, y), part.width_px * 3, &part.at(0, y));
+  const Picture columns = scaled_columns(part, first, {101, 40, 3}, wanted);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 2; ++x) {
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(columns.at(x, y, i), whole.at(wanted.first + x, y, i));
+    }
+  }
 }
 
 TEST(Scaling, whole_factor_up_repeats_pixels) {

@@ -88,6 +88,24 @@ TEST(Thumbnail, that_takes_too_much_becomes_smaller_and_at_last_nothing) {
   EXPECT_EQ(thumbnail(picture, {}), "");
 }
 
+TEST(Thumbnail, made_before_the_plan_is_known_is_what_any_plan_between_would_give) {
+  const Picture picture = noise(256);
+  const size_t full = thumbnail(picture, {240, 1'000'000, 1}).size();
+  const ThumbnailPlan most{240, 1'000'000, 1}, least{180, full - 1, 1};
+  const std::vector<Thumbnail> made = make_thumbnails(picture, most, least);
+  for (const ThumbnailPlan& plan : {most, least, ThumbnailPlan{240, full - 1, 1}, {180, 1'000'000, 1}, {}})
+    EXPECT_EQ(chosen_thumbnail(made, plan), thumbnail(picture, plan))
+        << plan.side_px << " " << plan.max_chars;
+}
+
+TEST(Thumbnail, of_a_plan_outside_what_was_foreseen_is_not_among_those_made) {
+  const std::vector<Thumbnail> made = make_thumbnails(noise(256), {180, 1'000'000, 1}, {128, 1'000'000, 1});
+  EXPECT_EQ(made.size(), 2U);
+  EXPECT_EQ(chosen_thumbnail(made, {240, 1'000'000, 1}), std::nullopt);
+  EXPECT_EQ(chosen_thumbnail(made, {96, 1'000'000, 1}), std::nullopt);
+  EXPECT_EQ(chosen_thumbnail({}, {96, 1'000'000, 1}), std::nullopt);
+}
+
 TEST(ThumbnailPlan, sides_shrink_with_the_count_and_all_fit) {
   constexpr size_t kRoom = 9'000'000;
   int last = 240;
