@@ -14,6 +14,7 @@
 #include "pipeline/image/image_file.h"
 #include "studies/report/page.h"
 #include "studies/sweep/number_columns.h"
+#include "studies/sweep/result_origin.h"
 #include "studies/sweep/worker_pool.h"
 
 namespace inkbench {
@@ -69,7 +70,7 @@ KeptPicture CellTiles::make(size_t cell, size_t shown, const Picture& picture) c
 fs::path CellTiles::path_of(size_t cell, size_t shown, const std::string& hash) const {
   const auto [most, least] = thumbnails_of(cell, shown);
   KeyBuilder builder;
-  builder.add(INKBENCH_TILE_SOURCES).add(hash).add(text_of(layout_, shown));
+  builder.add(kTileSources).add(hash).add(text_of(layout_, shown));
   builder.add(fmt::format("{} {} {}", most.side_px, least.side_px, least.max_chars));
   return folder_ / (builder.key().text() + std::string(kEnding));
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "studies/report/thumbnail.h"
-#include "studies/report/tile.h"
+#include "studies/report/grid_tile.h"
 
 namespace inkbench {
 

@@ -9,6 +9,7 @@ namespace inkbench {
 /// makes them (scripts/code_hash).
 extern const char* const kDrawingSources;
 extern const char* const kMeasuringSources;
+extern const char* const kTileSources;  ///< Tiles that an earlier run kept count only while it is the same.
 
 struct ResultOrigin {
   std::string drawing_sources, measuring_sources;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "studies/report/grid.h"
-#include "studies/report/tile.h"
+#include "studies/report/grid_tile.h"
 #include "studies/sweep/kept_picture.h"
 #include "studies/sweep/spec.h"
 #include "studies/sweep/study_folder.h"

@@ -20,7 +20,7 @@ class Loading : public CliTest {
     for (const auto& [name, content] : folder_content(file(""))) {
       if (name.starts_with("loaded.")) told += content;
     }
-    EXPECT_THAT(told, HasSubstr("libstdc++")) << "the loader did not tell";
+    EXPECT_NE(told.find("libstdc++"), std::string::npos) << "the loader did not tell";
     return told;
   }
 };
@@ -28,20 +28,22 @@ class Loading : public CliTest {
 TEST_F(Loading, commands_without_images_load_no_image_library) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--version"}, {"--help"}, {"params"}, {"decimate", "--help"}}) {
-    EXPECT_THAT(loaded_by(arguments), Not(HasSubstr("libOpenImageIO"))) << arguments.front();
+    EXPECT_EQ(loaded_by(arguments).find("libOpenImageIO"), std::string::npos) << arguments.front();
   }
 }
 
-TEST_F(Loading, a_picture_that_is_written_loads_it) {
-  EXPECT_THAT(loaded_by({"render", "--scene", write("scene.toml", small_scene()).string(), "--out", "out"}),
-              HasSubstr("libOpenImageIO"));
+TEST_F(Loading, an_image_that_openimageio_writes_loads_it) {
+  const std::string scene = write("scene.toml", small_scene()).string();
+  const std::string loaded = loaded_by({"render", "--scene", scene, "--format", "exr", "--out", "out"});
+  EXPECT_NE(loaded.find("libOpenImageIO"), std::string::npos);
 }
 
 TEST_F(Loading, a_missing_image_module_is_an_error_that_names_it) {
   fs::copy_file(inkbench_program(), file("alone"));
-  const CommandResult result = run_command({file("alone").string(), "render", "--scene",
-                                            write("scene.toml", small_scene()).string(), "--out", "out"},
-                                           {.working_folder = file("")});
+  const CommandResult result =
+      run_command({file("alone").string(), "render", "--scene", write("scene.toml", small_scene()).string(),
+                   "--format", "exr", "--out", "out"},
+                  {.working_folder = file("")});
   EXPECT_TRUE(is_work_error(result, {"inkbench_image_codecs.so", file("").parent_path().string(),
                                      "keep this file beside the executable"}));
 }

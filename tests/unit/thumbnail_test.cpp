@@ -89,7 +89,7 @@ TEST(Thumbnail, that_takes_too_much_becomes_smaller_and_at_last_nothing) {
 }
 
 TEST(Thumbnail, made_before_the_plan_is_known_is_what_any_plan_between_would_give) {
-  const Picture picture = noise(256);
+  const Picture picture = noise_square(256);
   const size_t full = thumbnail(picture, {240, 1'000'000, 1}).size();
   const ThumbnailPlan most{240, 1'000'000, 1}, least{180, full - 1, 1};
   const std::vector<Thumbnail> made = make_thumbnails(picture, most, least);
@@ -99,7 +99,8 @@ TEST(Thumbnail, made_before_the_plan_is_known_is_what_any_plan_between_would_giv
 }
 
 TEST(Thumbnail, of_a_plan_outside_what_was_foreseen_is_not_among_those_made) {
-  const std::vector<Thumbnail> made = make_thumbnails(noise(256), {180, 1'000'000, 1}, {128, 1'000'000, 1});
+  const std::vector<Thumbnail> made =
+      make_thumbnails(noise_square(256), {180, 1'000'000, 1}, {128, 1'000'000, 1});
   EXPECT_EQ(made.size(), 2U);
   EXPECT_EQ(chosen_thumbnail(made, {240, 1'000'000, 1}), std::nullopt);
   EXPECT_EQ(chosen_thumbnail(made, {96, 1'000'000, 1}), std::nullopt);
