@@ -17,13 +17,11 @@ JudgedView view_of(const Frame& frame, std::shared_ptr<const ReferenceLines> lin
 
 void JudgeDesk::refresh_measures(const Frame& frame, const FoundLines& lines, const KeyedView& full) {
   const Key edges = frame.key(BufferName::combined_edges);
-  const Key key =
-      KeyBuilder().add(edges).add(lines.key).add(full.key).add(judge_text(frame.settings().judge)).key();
+  const JudgeParams& params = frame.settings().judge;
+  const Key key = KeyBuilder().add(edges).add(lines.key).add(full.key).add(judge_text(params)).key();
   judge_.ask_when_free(key, [&] {
-    return JudgeRequest{.id = ++last_id_,
-                        .view = view_of(frame, lines.lines),
-                        .full = full.view,
-                        .judge = frame.settings().judge};
+    return JudgeRequest{
+        .id = ++last_id_, .view = view_of(frame, lines.lines), .full = full.view, .judge = params};
   });
   behind_ = !judge_.has_asked(key) || !now_ || now_->id != last_id_;
 }

@@ -26,7 +26,6 @@ void LineFinder::free_unused(const LineRequest& request) {
 }
 
 ReferenceLines LineFinder::find(const LineRequest& request, const StopAsked& stop) {
-  ++searches_;
   const std::lock_guard lock(mutex_);
   free_unused(request);
   std::vector<SceneMesh> scene;

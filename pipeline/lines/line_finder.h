@@ -3,7 +3,6 @@
 // kept from call to call.
 #pragma once
 
-#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -39,9 +38,6 @@ class LineFinder {
   /// One call at a time; others wait. Throws `Stopped` between models once `stop` says so.
   ReferenceLines find(const LineRequest& request, const StopAsked& stop = {});
 
-  /// How often `find` was called.
-  long searches() const { return searches_; }
-
  private:
   struct FullMesh {
     Bounds bounds;
@@ -55,7 +51,6 @@ class LineFinder {
   void free_unused(const LineRequest& request);
 
   std::mutex mutex_;
-  std::atomic<long> searches_ = 0;
   std::map<Key, FullMesh> full_;
   std::map<Key, MeshTopology> drawn_;
 };

@@ -1,5 +1,6 @@
 #include "studies/judging/drawing_meter.h"
 
+#include <memory>
 #include <optional>
 
 #include "pipeline/passes/lines/reference.h"
@@ -8,11 +9,6 @@ namespace inkbench {
 namespace {
 
 constexpr int64_t kKeptBytes = 64 << 20;
-
-Settings with_full_mesh(Settings settings) {
-  settings.mesh = MeshParams{};
-  return settings;
-}
 
 /// The value of that key; all others are forgotten first where they take too much room.
 template <class Value, class Make>
@@ -24,13 +20,19 @@ const Value& kept(std::map<Key, Value>& values, const Key& key, int64_t bytes_ea
 
 }  // namespace
 
-size_t drawn_faces(Pipeline& pipeline, const Settings& settings) {
+size_t drawn_faces(MeshStore& meshes, const Settings& settings) {
   const std::optional<size_t> model = main_model_index(settings);
   if (!model) return 0;
-  return pipeline.meshes().get(settings.models[*model], level_of(settings, *model))->face_count();
+  return meshes.get(settings.models[*model], level_of(settings, *model))->face_count();
 }
 
 /// The full mesh has its own level's normals and the drawing's other settings.
+Frame DrawingMeter::with_full_mesh(const Frame& frame) {
+  Settings full = frame.settings();
+  full.mesh = MeshParams{};
+  return pipeline_.at(full);
+}
+
 LineView DrawingMeter::full_view(const Frame& full) {
   const Settings& settings = full.settings();
   const int64_t bytes = int64_t{settings.image.width} * settings.image.height / 8;
@@ -47,14 +49,13 @@ DrawingTally DrawingMeter::tally(const Frame& frame) {
   const Settings& settings = frame.settings();
   // The full mesh first, so that what is kept in the end is this drawing's, which the next may share.
   std::optional<LineView> full;
-  if (needs_.full_mesh()) full = full_view(pipeline_.at(with_full_mesh(settings)));
+  if (needs_.full_mesh()) full = full_view(with_full_mesh(frame));
   const LineMap drawn = drawn_lines(frame.raw(BufferName::combined_edges));
   std::shared_ptr<const ReferenceLines> lines;
   if (needs_.reference_lines()) lines = frame.value<ReferencePass>();
-  const LineView view =
-      lines == nullptr ? LineView{drawn, {}, {}, {}} : line_view(drawn, *lines, settings.judge);
+  const LineView view = lines ? line_view(drawn, *lines, settings.judge) : LineView{drawn, {}, {}, {}};
   DrawingTally tally = tally_view({view, lines.get(), full ? &*full : nullptr}, settings.judge, needs_);
-  if (needs_.faces) tally.faces = drawn_faces(pipeline_, settings);
+  if (needs_.faces) tally.faces = drawn_faces(pipeline_.meshes(), settings);
   return tally;
 }
 
@@ -70,7 +71,7 @@ Key DrawingMeter::key(const Frame& frame) {
   if (needs_.reference_lines())
     builder.add(frame.key(BufferName::reference)).add(judge_text(frame.settings().judge));
   if (!needs_.full_mesh()) return builder.key();
-  const Frame full = pipeline_.at(with_full_mesh(frame.settings()));
+  const Frame full = with_full_mesh(frame);
   builder.add(full.key(BufferName::reference));
   if (needs_.inner) builder.add(full.key(BufferName::combined_edges));
   return builder.key();

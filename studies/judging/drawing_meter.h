@@ -22,10 +22,11 @@ class DrawingMeter {
   /// Of all views together.
   DrawingTally tally(std::span<const Settings> views);
 
-  /// Of all that decides what `tally` gives for the frame but its code.
+  /// Of all that decides what `tally` gives for this view but its code.
   Key key(const Frame& frame);
 
  private:
+  Frame with_full_mesh(const Frame& frame);
   LineView full_view(const Frame& full);
 
   Pipeline& pipeline_;
@@ -35,6 +36,6 @@ class DrawingMeter {
 };
 
 /// The triangles of the main model as drawn; 0 without one.
-size_t drawn_faces(Pipeline& pipeline, const Settings& settings);
+size_t drawn_faces(MeshStore& meshes, const Settings& settings);
 
 }  // namespace inkbench

@@ -32,6 +32,7 @@ enum class ColumnKind { cell, name, parameter, number, error };
 struct PageColumn {
   std::string name;
   ColumnKind kind = ColumnKind::number;
+  std::string help;  ///< In plain words; may be empty.
 };
 
 /// One cell of the grid. It has a picture for each view and buffer, all buffers of the first view first.

@@ -120,7 +120,9 @@ std::string axis_json(const PageAxis& axis) {
 }
 
 std::string column_json(const PageColumn& column) {
-  return "{\"name\":" + json_text(column.name) + ",\"kind\":" + json_text(kind_name(column.kind)) + "}";
+  const std::string help = column.help.empty() ? "" : ",\"help\":" + json_text(column.help);
+  return "{\"name\":" + json_text(column.name) + ",\"kind\":" + json_text(kind_name(column.kind)) + help +
+         "}";
 }
 
 }  // namespace

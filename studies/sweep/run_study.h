@@ -6,7 +6,6 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +32,8 @@ struct StudyOptions {
   bool fail_fast = false;                   ///< Stop at the first cell that fails.
   const std::atomic<bool>* stop = nullptr;  ///< Set from elsewhere to stop after the current cell.
   std::function<void(const StudyProgress&)>
-      on_progress;  /// What makes the results; this build and the current context without it.
+      on_progress;  ///< After each cell, from any thread, one at a time.
+  /// What makes the results; this build and the current context without it.
   std::optional<ResultOrigin> origin;
 };
 

@@ -34,13 +34,17 @@ std::vector<PageAxis> page_axes(const StudySpec& spec) {
 std::vector<PageColumn> page_columns(const StudySpec& spec, const StudyFolder& folder) {
   std::vector<std::string> names = folder.columns();
   names.resize(names.size() - picture_count(spec));
-  const std::vector<std::string> numbers = number_columns(spec);
+  const std::vector<const Measure*> numbers = study_measures(spec);
   std::vector<PageColumn> columns;
   for (const std::string& name : names) columns.push_back({name, ColumnKind::parameter});
   columns.front().kind = ColumnKind::cell;
   columns.back().kind = ColumnKind::error;
   if (!spec.variants.empty()) columns[1].kind = ColumnKind::name;
-  for (size_t i = 0; i < numbers.size(); ++i) columns[columns.size() - 2 - i].kind = ColumnKind::number;
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    PageColumn& column = columns[columns.size() - 1 - numbers.size() + i];
+    column.kind = ColumnKind::number;
+    column.help = numbers[i]->help;
+  }
   return columns;
 }
 

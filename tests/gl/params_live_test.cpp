@@ -175,24 +175,23 @@ class ParamsLive : public testing::Test {
     return false;
   }
   bool lines_change(const Settings& before, const Settings& after) {
-    const std::vector<Polyline> lines = pipeline_.at(before).value<ReferencePass>()->polylines;
-    return pipeline_.at(after).value<ReferencePass>()->polylines != lines;
+    return pipeline_.at(before).value<ReferencePass>()->polylines !=
+           pipeline_.at(after).value<ReferencePass>()->polylines;
   }
   bool judgements_change(const Settings& before, const Settings& after) {
     const std::string numbers = measures_json(all_measures(), meter_.tally(pipeline_.at(before)));
     return measures_json(all_measures(), meter_.tally(pipeline_.at(after))) != numbers ||
            lines_change(before, after);
   }
-  bool buffers_change(const Settings& before, const Settings& after) {
-    const Frame a = pipeline_.at(before), b = pipeline_.at(after);
+  bool framebuffer_keys_change(const Frame& before, const Frame& after) const {
     const std::vector<BufferName> buffers = framebuffers();
     return std::any_of(buffers.begin(), buffers.end(),
-                       [&](BufferName each) { return a.key(each) != b.key(each); });
+                       [&](BufferName buffer) { return before.key(buffer) != after.key(buffer); });
   }
-  /// A judge changes no picture.
+  /// A judge changes none of what the scene looks like.
   bool judge_is_live(const Settings& before, const Settings& after) {
-    return !buffers_change(before, after) &&
-           meter_.key(pipeline_.at(before)) != meter_.key(pipeline_.at(after)) &&
+    const Frame now = pipeline_.at(before), then = pipeline_.at(after);
+    return !framebuffer_keys_change(now, then) && meter_.key(now) != meter_.key(then) &&
            judgements_change(before, after);
   }
   Settings with_change(const Settings& settings, const std::string& key) const {

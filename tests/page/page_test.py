@@ -387,6 +387,13 @@ class PageTest(unittest.TestCase):
         self.assertEqual(self.sort_state("f1"), "none")
         self.assertEqual(self.column("cell"), [str(i) for i in range(1, 25) if i != 8])
 
+    def test_measures_say_what_they_mean(self):
+        self.open("small")
+        heads = self.js("return [...document.querySelectorAll('th button')].map((b) => [b.textContent, b.title])")
+        meanings = {name: title for name, title in heads}
+        self.assertEqual(meanings["recall"], "Of what belongs, this share is drawn.")
+        self.assertEqual(meanings["cell"], "")
+
     def test_row_opens_its_cell_and_gets_the_focus_back(self):
         self.open("small")
         self.js("arguments[0].scrollIntoView({block: 'center'})", self.find(".data tbody"))

@@ -87,6 +87,14 @@ TEST(HtmlText, base64_as_in_rfc_4648) {
   EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
+TEST(Page, columns_carry_their_meaning) {
+  StudyPage page = page_of({cell("1")});
+  page.columns[1].help = "Plain words.";
+  const json columns = data_of(page_html(page)).at("columns");
+  EXPECT_EQ(columns.at(1).at("help"), "Plain words.");
+  EXPECT_FALSE(columns.at(0).contains("help"));
+}
+
 TEST(Page, hostile_texts_stay_texts_everywhere) {
   StudyPage page = page_of({cell("1")});
   page.title = page.purpose = page.command = page.spec_name = page.spec_text = kHostile;
@@ -96,7 +104,7 @@ TEST(Page, hostile_texts_stay_texts_everywhere) {
   page.cells[0].row = {"1", kHostile, kHostile};
   page.cells[0].overlays = page.cells[0].pictures = {kHostile};
   page.charts = {{kHostile, std::string("<svg>") + kHostile + "</svg>", {{kHostile, kHostile}}}};
-  page.columns[1].name = kHostile;
+  page.columns[1].name = page.columns[1].help = kHostile;
   page.versions = {{kHostile, kHostile}};
   page.links = {{kHostile, kHostile}};
   const std::string html = page_html(page);

@@ -49,16 +49,16 @@ JudgeRequest judge_request(uint64_t id, int size_px = 96) {
   return {.id = id, .view = {edges_along(*lines, {LineClass::silhouette}), lines}};
 }
 
-void ask(LiveJudge& live, const JudgeRequest& wanted) {
-  live.ask(KeyBuilder().add(std::to_string(wanted.id)).key(), [&] { return wanted; });
-}
-
 double value(const Judgement& judgement, std::string_view key) {
   return find_measure(key)->value(judgement.tally).value();
 }
 
 std::string json_of(const Judgement& judgement) {
   return measures_json(all_measures(), judgement.tally);
+}
+
+void ask(LiveJudge& live, const JudgeRequest& wanted) {
+  live.ask(KeyBuilder().add(std::to_string(wanted.id)).key(), [&] { return wanted; });
 }
 
 /// Waits for a result; none after half a minute.

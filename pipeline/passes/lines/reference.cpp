@@ -23,8 +23,8 @@ Key full_key(MeshStore& meshes, const ModelParams& model, const JudgeParams& jud
       .key();
 }
 
-/// The G-buffer decides all lines; its float depth is read whatever `image.precision` says, since an
-/// eight-bit step is larger than the visibility test's slack.
+/// The G-buffer and the judge decide all lines; its float depth is read whatever `image.precision` says,
+/// since an eight-bit step is larger than the visibility test's slack.
 struct BoundLineRequest {
   Flow* flow = nullptr;
   BoundValue<GBufferPass> gbuffer;

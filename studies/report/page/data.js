@@ -124,7 +124,7 @@ const columns = study.columns.map((column, index) => {
   const high = finite.reduce((a, b) => Math.max(a, b), -Infinity);
   const isPlain = !isNumeric || column.kind === "cell";
   const show = (i) => (isPlain || Number.isNaN(numbers[i]) ? texts[i] : format(numbers[i]));
-  return {name: column.name, kind: column.kind, texts, numbers, isNumeric, low, high, show};
+  return {name: column.name, kind: column.kind, help: column.help, texts, numbers, isNumeric, low, high, show};
 });
 
 /** In wide tables: whether a parameter says only what the variant's name says. */

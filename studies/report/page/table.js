@@ -73,7 +73,7 @@ function makeHead(index) {
   const sort = isSorted ? (tableState.descending ? "descending" : "ascending") : "none";
   const arrows = {ascending: "↑", descending: "↓", none: ""};
   const arrow = make("span", {class: "arrow", "aria-hidden": "true"}, arrows[sort]);
-  const attributes = {type: "button", "data-column": index, click: () => nextSort(index)};
+  const attributes = {type: "button", "data-column": index, title: column.help || null, click: () => nextSort(index)};
   const button = make("button", attributes, make("span", {}, ...breakable(column.name)), arrow);
   return make("th", {scope: "col", "aria-sort": sort, class: column.isNumeric ? "numeric" : null}, button);
 }
