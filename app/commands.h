@@ -14,8 +14,10 @@ void add_render_command(CLI::App& app);
 void add_study_command(CLI::App& app);
 void add_score_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
+void add_explain_command(CLI::App& app);
 void add_decimate_command(CLI::App& app);
 void add_params_command(CLI::App& app);
+void add_passes_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 
 }  // namespace inkbench

@@ -30,8 +30,10 @@ int run(int argc, char** argv) {
   inkbench::add_study_command(app);
   inkbench::add_score_command(app);
   inkbench::add_measure_command(app);
+  inkbench::add_explain_command(app);
   inkbench::add_decimate_command(app);
   inkbench::add_params_command(app);
+  inkbench::add_passes_command(app);
   inkbench::add_info_command(app);
   try {
     app.parse(argc, argv);

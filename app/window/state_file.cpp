@@ -53,17 +53,17 @@ Json judge_of(const JudgeDesk& judge) {
 /// The sum behind the marked pixel.
 Json why_of(const Workbench& bench) {
   if (!bench.view.marked) return nullptr;
-  const ProbedPixel& probed = bench.viewer.probe.last();
-  const auto term = [](const TermWhy& why) {
-    return Json{{"gmax", why.gmax}, {"gmin", why.gmin}, {"k", why.k}, {"p", why.p}};
-  };
-  return {{"pixel", {probed.why.x, probed.why.y}},
-          {"depth", term(probed.why.depth)},
-          {"normal", term(probed.why.normal)},
-          {"sum", probed.why.sum},
-          {"inked", probed.why.inked},
-          {"drawn", probed.drawn},
-          {"text", verdict_text(probed.why)}};
+  const Explanation& why = bench.viewer.explained();
+  Json json{{"pixel", {why.x, why.y}},
+            {"sum", why.sum},
+            {"inked", why.is_line},
+            {"drawn", why.drawn},
+            {"text", why.verdict}};
+  for (const ExplainedTerm& term : why.terms) {
+    json[term.name]["p"] = term.value;
+    for (const ExplainedInput& input : term.inputs) json[term.name][input.name] = input.value;
+  }
+  return json;
 }
 
 Json passes_of(const Workbench& bench) {

@@ -4,6 +4,7 @@
 
 #include "app/window/listed_buffers.h"
 #include "pipeline/base/error.h"
+#include "pipeline/passes/edges/edge_detector.h"
 #include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
@@ -73,6 +74,15 @@ void Viewer::refresh() {
   } catch (const std::exception& error) {
     fail(state, error.what());
   }
+}
+
+const Explanation& Viewer::explain(int x, int y) {
+  const Key edges = drawn_->key(edge_detector(drawn_->settings()).strength());
+  const Key key = KeyBuilder().add(edges).add(std::to_string(x)).add(std::to_string(y)).key();
+  if (key == explained_) return explanation_;
+  explanation_ = explain_pixel(*drawn_, x, y);
+  explained_ = key;
+  return explanation_;
 }
 
 void Viewer::pin() {

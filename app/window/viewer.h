@@ -10,12 +10,12 @@
 #include "app/window/ladder_desk.h"
 #include "app/window/pass_timer.h"
 #include "app/window/pictures.h"
-#include "app/window/pixel_probe.h"
 #include "app/window/tile.h"
 #include "app/window/view_state.h"
 #include "app/window/wire_painter.h"
 #include "app/workbench/document.h"
 #include "app/workbench/window_layout.h"
+#include "pipeline/explain.h"
 
 namespace inkbench {
 
@@ -43,6 +43,10 @@ class Viewer {
   bool can_draw() const { return !problems_.all().contains(ProblemKind::drawing); }
   /// The lines that the layout lays over pictures of the present settings; none where there are none yet.
   TileOverlay overlay() { return judge.overlay(layout_.overlay, pictures.reference()); }
+  /// Why the pixel of what is drawn is a line or not; kept until either changes. Errors: as `explain_pixel`.
+  const Explanation& explain(int x, int y);
+  /// The last one.
+  const Explanation& explained() const { return explanation_; }
   /// Keeps the shown pictures to compare with.
   void pin();
 
@@ -59,7 +63,6 @@ class Viewer {
   WirePainter wires;
   JudgeDesk judge;
   LadderDesk ladders;
-  PixelProbe probe;  ///< Of the marked pixel.
   DiskWatch disk;
 
  private:
@@ -91,6 +94,8 @@ class Viewer {
   std::optional<Key> failed_;          ///< What could not be drawn: not tried again until something changes.
   WayBack way_back_;
   std::optional<Key> way_back_from_;  ///< The failure that it was found for.
+  Explanation explanation_;
+  Key explained_;                     ///< What `explanation_` is of.
   Key drawn_state_;                   ///< In the last frame.
   long drawn_changes_ = 0;
 };

@@ -155,6 +155,10 @@ PassKind describe_pass(std::string_view name, int cost, std::vector<ShownBuffer<
                        Inputs... inputs) {
   PassKind kind{.name = name, .cost = cost};
   for (const auto& buffer : shown) kind.buffers.push_back(buffer.buffer);
+  const auto tell = [&](const std::vector<PassInput>& told) {
+    kind.inputs.insert(kind.inputs.end(), told.begin(), told.end());
+  };
+  (tell(inputs.told()), ...);
   kind.add_node = [=](Flow& flow) {
     using Made = PassNode<Tag, decltype(inputs.bind(flow))...>;
     flow.add_node(typeid(Tag), std::make_unique<Made>(name, cost, flow, shown, inputs.bind(flow)...));

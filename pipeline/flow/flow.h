@@ -15,11 +15,19 @@ namespace inkbench {
 
 class Flow;
 
+/// What a pass takes, for people: another pass's value, or a group of parameters.
+struct PassInput {
+  std::string_view group;                ///< "combine"; empty where it is a pass.
+  std::string_view (*pass)() = nullptr;  ///< Its name. A function, since passes are described in any order.
+  bool is_past = false;                  ///< Of the frame before.
+};
+
 /// What a pass is, once. Made by `describe_pass` beside the pass.
 struct PassKind {
   std::string_view name;  ///< "combine": in counts, timings, keys.
   int cost = 0;           ///< Of running it, as a rough share of a frame's 40; only the order matters.
   std::vector<BufferName> buffers;  ///< What of its value people can see.
+  std::vector<PassInput> inputs;    ///< What it takes.
   void (*bring)() = nullptr;  ///< Its own parameter group into all settings; null: the settings have it.
   std::function<void(Flow& flow)> add_node;
 };

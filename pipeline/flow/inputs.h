@@ -1,10 +1,13 @@
 // What a pass takes: parameter groups, single parameters, other passes' values, the frame before. Each says
 // both what it adds to the pass's key and what the pass is run with, so that these cannot differ. An input of
-// another kind is a struct with `bind`, `fold` and `get` like those here.
+// another kind is a struct with `bind`, `fold`, `get` and `told` like those here.
 #pragma once
 
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "pipeline/flow/flow.h"
 
@@ -14,6 +17,9 @@ namespace inkbench {
 template <auto kGroup>
 struct GroupInput {
   GroupInput bind(Flow&) const { return *this; }
+  static std::vector<PassInput> told() {
+    return {{std::remove_cvref_t<decltype(std::declval<Settings>().*kGroup)>::description().group}};
+  }
   void fold(KeyBuilder& key, const FrameState& frame) const { key.add(group_text(frame.settings.*kGroup)); }
   const auto& get(const FrameState& frame) const { return frame.settings.*kGroup; }
 };
@@ -26,6 +32,7 @@ constexpr GroupInput<kGroup> group() {
 template <class Params>
 struct BroughtInput {
   BroughtInput bind(Flow&) const { return *this; }
+  static std::vector<PassInput> told() { return {{Params::description().group}}; }
   void fold(KeyBuilder& key, const FrameState& frame) const { key.add(group_text(get(frame))); }
   const Params& get(const FrameState& frame) const { return frame.settings.brought.template get<Params>(); }
 };
@@ -38,6 +45,7 @@ constexpr BroughtInput<Params> brought() {
 template <auto kGroup, auto kMember>
 struct PartInput {
   PartInput bind(Flow&) const { return *this; }
+  static std::vector<PassInput> told() { return GroupInput<kGroup>::told(); }
   void fold(KeyBuilder& key, const FrameState& frame) const {
     const auto value = get(frame);
     key.add_bytes({reinterpret_cast<const uint8_t*>(&value), sizeof value});
@@ -59,6 +67,9 @@ struct BoundValue {
 template <class Tag>
 struct ValueInput {
   BoundValue<Tag> bind(Flow& flow) const { return {&flow.node<Tag>()}; }
+  static std::vector<PassInput> told() {
+    return {{"", [] { return Tag::kind().name; }}};
+  }
 };
 template <class Tag>
 constexpr ValueInput<Tag> value_of() {
@@ -87,6 +98,9 @@ struct BoundPastValue {
 };
 template <class Tag>
 struct PastInput {
+  static std::vector<PassInput> told() {
+    return {{"", [] { return Tag::kind().name; }, true}};
+  }
   /// A pass that is not there yet is the one that is being made.
   BoundPastValue<Tag> bind(Flow& flow) const {
     return {&flow, flow.has<Tag>() ? flow.node<Tag>().index() : flow.nodes().size()};

@@ -16,113 +16,126 @@
 namespace inkbench {
 namespace {
 
-constexpr float kLargestSum = 2;  // two terms of at most 1
-
-std::vector<std::string> object_names(const Settings& settings) {
-  std::vector<std::string> names;
-  for (const ModelParams& model : settings.models) names.push_back(model.name);
-  return names;
+ImU32 term_colour(size_t term) {
+  return term % 2 == 0 ? theme().accent : theme().accent_soft;
 }
 
-/// Both terms one after the other, and where the threshold is.
-void draw_sum(const PixelWhy& why) {
+/// All terms one after the other, and where the limit is.
+void draw_sum(const Explanation& why) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = scaled(14);
   const float top = low.y + scaled(4);
-  const auto x_of = [&](float sum) { return low.x + std::min(sum / kLargestSum, 1.0F) * width; };
+  double largest = 0;
+  for (const ExplainedTerm& term : why.terms) largest += term.limit;
+  const auto x_of = [&](double sum) {
+    return low.x + static_cast<float>(std::min(sum / largest, 1.0)) * width;
+  };
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({low.x, top}, {low.x + width, top + height}, theme().field, scaled(2));
-  const float split = x_of(why.depth.p);
-  list.AddRectFilled({low.x, top}, {split, top + height}, theme().accent);
-  list.AddRectFilled({split, top}, {x_of(why.sum), top + height}, theme().accent_soft);
-  const float line = std::round(std::clamp(x_of(why.threshold), low.x + 1, low.x + width - 1));
+  double sum = 0;
+  for (size_t i = 0; i < why.terms.size(); ++i) {
+    const float from = x_of(sum);
+    sum += why.terms[i].value;
+    list.AddRectFilled({from, top}, {x_of(sum), top + height}, term_colour(i));
+  }
+  const float line = std::round(std::clamp(x_of(why.limit), low.x + 1, low.x + width - 1));
   list.AddLine({line, top - scaled(3)}, {line, top + height + scaled(3)}, theme().text, scaled(2));
   ImGui::Dummy({width, height + scaled(8)});
-  const std::string text = "threshold " + number_text(why.threshold, false);
+  const std::string text = why.limit_name + " " + number_text(static_cast<float>(why.limit), false);
   const float text_width = ImGui::CalcTextSize(text.c_str()).x;
   const float place = std::clamp(line - text_width / 2, low.x, low.x + width - text_width);
   ImGui::SetCursorScreenPos({place, ImGui::GetCursorScreenPos().y - scaled(3)});
   faint_text(text);
 }
 
-/// 3 x 3 from the smallest gradient (black) to the largest (white), both of them framed.
-void draw_miniature(const Neighbourhood& values, const TermWhy& term) {
+const ExplainedInput* input_of(const ExplainedTerm& term, ExplainedInput::Role role) {
+  const auto found = std::find_if(term.inputs.begin(), term.inputs.end(),
+                                  [&](const ExplainedInput& input) { return input.role == role; });
+  return found == term.inputs.end() ? nullptr : &*found;
+}
+
+/// 3 x 3 from the smallest value (black) to the largest (white), both of them framed.
+void draw_miniature(const ExplainedTerm& term) {
   const float cell = scaled(19);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto corner = [&](int i) {
     return ImVec2{low.x + static_cast<float>(i % 3) * cell, low.y + static_cast<float>(i / 3) * cell};
   };
-  const auto frame = [&](const Offset& at, ImU32 colour) {
-    const ImVec2 from = corner((at.dy + 1) * 3 + at.dx + 1);
+  const auto frame = [&](const ExplainedInput* input, ImU32 colour) {
+    if (input == nullptr || !input->at) return;
+    const ImVec2 from = corner((input->at->dy + 1) * 3 + input->at->dx + 1);
     list.AddRect({from.x + 1, from.y + 1}, {from.x + cell - 2, from.y + cell - 2}, colour, 0, 0, scaled(2));
   };
+  const ExplainedInput* largest = input_of(term, ExplainedInput::Role::largest);
+  const ExplainedInput* smallest = input_of(term, ExplainedInput::Role::smallest);
+  const double least = smallest == nullptr ? 0.0 : smallest->value;
+  const double span = largest == nullptr ? 1.0 : largest->value - least;
   for (int i = 0; i < 9; ++i) {
-    const std::optional<float>& value = values[static_cast<size_t>(i)];
+    const std::optional<float>& value = term.around[static_cast<size_t>(i)];
     const ImVec2 from = corner(i);
-    const float span = term.gmax - term.gmin;
-    const float share = value && span > 0 ? (*value - term.gmin) / span : 0.0F;
-    const auto grey = static_cast<int>(std::lround(255 * std::clamp(share, 0.0F, 1.0F)));
+    const double share = value && span > 0 ? (*value - least) / span : 0.0;
+    const auto grey = static_cast<int>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
     list.AddRectFilled(from, {from.x + cell - 1, from.y + cell - 1},
                        value ? IM_COL32(grey, grey, grey, 255) : theme().field);
   }
   list.AddRect({low.x - 1, low.y - 1}, {low.x + 3 * cell, low.y + 3 * cell}, theme().line);
-  if (term.gmax > term.gmin) {
-    frame(term.min_at, theme().mark);
-    frame(term.max_at, theme().accent);
+  if (span > 0) {
+    frame(smallest, theme().mark);
+    frame(largest, theme().accent);
   }
   ImGui::Dummy({3 * cell, 3 * cell});
 }
 
-void draw_number(const char* name, float value, ImU32 colour) {
+void draw_number(const std::string& name, double value, const std::string& unit, ImU32 colour) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   coloured_text(colour, name);
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(number_text(value, false).c_str());
+  ImGui::TextUnformatted(
+      (number_text(static_cast<float>(value), false) + (unit.empty() ? "" : " " + unit)).c_str());
 }
 
-void draw_numbers(const char* id, const TermWhy& term) {
-  if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit)) return;
-  draw_number("gmax", term.gmax, theme().accent);
-  draw_number("gmin", term.gmin, theme().mark);
-  draw_number("k", term.k, theme().faint);
-  draw_number("p", term.p, theme().faint);
+ImU32 input_colour(ExplainedInput::Role role) {
+  if (role == ExplainedInput::Role::largest) return theme().accent;
+  return role == ExplainedInput::Role::smallest ? theme().mark : theme().faint;
+}
+
+void draw_numbers(const ExplainedTerm& term) {
+  if (!ImGui::BeginTable(term.name.c_str(), 2, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const ExplainedInput& input : term.inputs)
+    draw_number(input.name, input.value, input.unit, input_colour(input.role));
+  draw_number("adds", term.value, term.unit, theme().text);
   ImGui::EndTable();
 }
 
-void draw_term(const char* name, const TermWhy& term, const Neighbourhood& values, bool is_depth,
-               std::span<const std::string> names) {
+void draw_term(const ExplainedTerm& term, ImU32 colour) {
   ImGui::Dummy({0, scaled(2)});
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const float size = scaled(9);
   const float top = place.y + (ImGui::GetTextLineHeight() - size) / 2 + 1;
-  ImGui::GetWindowDrawList()->AddRectFilled({place.x, top}, {place.x + size, top + size},
-                                            is_depth ? theme().accent : theme().accent_soft);
+  ImGui::GetWindowDrawList()->AddRectFilled({place.x, top}, {place.x + size, top + size}, colour);
   ImGui::SetCursorScreenPos({place.x + size + scaled(6), place.y});
-  ImGui::TextUnformatted(name);
+  ImGui::TextUnformatted(term.title.c_str());
   if (!term.used) {
     ImGui::SameLine();
     faint_text("is switched off");
     return;
   }
-  draw_miniature(values, term);
+  draw_miniature(term);
   ImGui::SameLine(0, scaled(10));
-  draw_numbers(name, term);
-  if (term.step && term.gmax > term.gmin) {
-    std::string cause = cause_text(*term.step, is_depth, names);
-    cause[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(cause[0])));
-    wrapped_text(cause + ".", theme().faint);
-  }
+  draw_numbers(term);
+  if (term.cause.empty()) return;
+  std::string cause = term.cause;
+  cause[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(cause[0])));
+  wrapped_text(cause + ".", theme().faint);
 }
 
-void draw_probed(const Settings& drawn, const ProbedPixel& probed) {
-  const std::vector<std::string> names = object_names(drawn);
-  wrapped_text(verdict_text(probed.why), theme().text);
-  draw_sum(probed.why);
-  draw_term("Depth term", probed.why.depth, probed.depth_edges, true, names);
-  draw_term("Normal term", probed.why.normal, probed.normal_edges, false, names);
+void draw_explanation(const Explanation& why) {
+  wrapped_text(why.verdict, theme().text);
+  draw_sum(why);
+  for (size_t i = 0; i < why.terms.size(); ++i) draw_term(why.terms[i], term_colour(i));
 }
 
 }  // namespace
@@ -143,7 +156,7 @@ void draw_why(const Document& document, Viewer& viewer, ViewState& view, UiMap& 
   if (x >= drawn->settings().image.width || y >= drawn->settings().image.height)
     return;  // the larger image comes with the next frame
   try {
-    draw_probed(drawn->settings(), viewer.probe.probe(*drawn, x, y));
+    draw_explanation(viewer.explain(x, y));
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }

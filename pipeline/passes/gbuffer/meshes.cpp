@@ -11,6 +11,9 @@ struct MeshRequestsInput {
   MeshStore* store = nullptr;
 
   MeshRequestsInput bind(Flow& flow) const { return {&flow.shared<MeshStore>()}; }
+  static std::vector<PassInput> told() {
+    return {{ModelParams::description().group}, {MeshParams::description().group}};
+  }
   void fold(KeyBuilder& key, const FrameState& frame) const {
     for (const MeshRequest& request : get(frame)) {
       if (request.model != nullptr) key.add(store->identity(*request.model, request.level));
@@ -54,6 +57,12 @@ std::vector<DrawItem> draw_items(const Settings& settings, const ModelMeshes& me
         {meshes[i].get(), model_matrix(settings.models[i], meshes[i]->placement()), static_cast<int>(i) + 1});
   }
   return items;
+}
+
+std::vector<PassInput> DrawItemsInput::told() {
+  std::vector<PassInput> told = value_of<MeshesPass>().told();
+  told.push_back({ModelParams::description().group});
+  return told;
 }
 
 void BoundDrawItems::fold(KeyBuilder& key, const FrameState& frame) const {

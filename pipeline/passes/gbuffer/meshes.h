@@ -50,6 +50,7 @@ struct BoundDrawItems {
 };
 struct DrawItemsInput {
   BoundDrawItems bind(Flow& flow) const { return {value_of<MeshesPass>().bind(flow)}; }
+  static std::vector<PassInput> told();
 };
 inline std::span<const DrawItem> as_argument(const DrawItems& drawn) {
   return drawn.items;

@@ -32,6 +32,13 @@ struct ShadeInput {
   bool with_ramps = true;
 
   ShadeInput bind(Flow&) const { return *this; }
+  std::vector<PassInput> told() const {
+    std::vector<PassInput> groups{{SceneParams::description().group},
+                                  {LightParams::description().group},
+                                  {MaterialParams::description().group}};
+    if (with_ramps) groups.push_back({RampParams::description().group});
+    return groups;
+  }
   ShadeParams get(const FrameState& frame) const {
     const Settings& settings = frame.settings;
     ShadeParams params{settings.camera, settings.scene, settings.lights, {}, settings.ramp};

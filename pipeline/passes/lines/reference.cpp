@@ -37,6 +37,11 @@ struct BoundLineRequest {
 };
 struct LineRequestInput {
   BoundLineRequest bind(Flow& flow) const { return {&flow, value_of<GBufferPass>().bind(flow)}; }
+  static std::vector<PassInput> told() {
+    std::vector<PassInput> told = value_of<GBufferPass>().told();
+    told.push_back({JudgeParams::description().group});
+    return told;
+  }
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// "Why is this pixel black?": the sum that decided a pixel of `combined_edges`, term by term, and which
-// neighbours made it (3.4.4). In: raw buffers and the combine parameters. Out: numbers, and the same in
-// words.
+// The paper's decision worked out beside the GPU: the sum that decided a pixel of `combined_edges`, term by
+// term, and which neighbours made it (3.4.4). In: raw buffers and the combine parameters. Out: numbers, and
+// the same in words.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "pipeline/image/image.h"
+#include "pipeline/passes/edges/explanation.h"
 #include "pipeline/settings/combine_params.h"
 #include "pipeline/settings/image_params.h"
 
@@ -21,12 +22,6 @@ struct EdgeBuffers {
   const Image* depth = nullptr;      ///< H x W x 1.
   const Image* normal = nullptr;     ///< H x W x 3.
   const Image* object_id = nullptr;  ///< H x W x 1.
-};
-
-/// A neighbour: dx to the right, dy downwards, each -1, 0 or 1.
-struct Offset {
-  int dx = 0, dy = 0;
-  bool operator==(const Offset&) const = default;
 };
 
 /// What made a gradient: of the eight differences that it sums, the one that weighs most.

@@ -1,5 +1,5 @@
 // The sum behind a pixel, worked out beside the GPU, against what the GPU drew.
-#include "app/workbench/pixel_why.h"
+#include "pipeline/passes/edges/paper_sum.h"
 
 #include <gtest/gtest.h>
 

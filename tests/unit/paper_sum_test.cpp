@@ -1,10 +1,10 @@
 // The sum behind a pixel: worked out by hand, and against the equations on noise. The GPU's numbers:
-// tests/gl/pixel_why_test.cpp.
-#include "app/workbench/pixel_why.h"
+// tests/gl/paper_sum_test.cpp.
+#include "pipeline/passes/edges/paper_sum.h"
 
 #include <cmath>
 
-#include "tests/workbench/workbench_support.h"
+#include "tests/unit/support.h"
 
 namespace inkbench {
 namespace {

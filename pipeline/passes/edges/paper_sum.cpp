@@ -1,4 +1,4 @@
-#include "app/workbench/pixel_why.h"
+#include "pipeline/passes/edges/paper_sum.h"
 
 #include <fmt/format.h>
 

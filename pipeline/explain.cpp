@@ -1,0 +1,96 @@
+#include "pipeline/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/base/error.h"
+#include "pipeline/base/text.h"
+#include "pipeline/passes/edges/edge_detector.h"
+
+namespace inkbench {
+namespace {
+
+std::string with_unit(double value, const std::string& unit) {
+  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+std::string place_text(const Offset& at) {
+  if (at == Offset{}) return "here";
+  std::string text;
+  if (at.dy != 0) text = at.dy < 0 ? "above" : "below";
+  if (at.dx != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", at.dx < 0 ? "left" : "right");
+  return text;
+}
+
+std::string term_text(const ExplainedTerm& term) {
+  if (!term.used) return fmt::format("{}: is switched off\n", term.title);
+  std::string text = fmt::format("{}: adds {} of at most {}\n", term.title, with_unit(term.value, term.unit),
+                                 with_unit(term.limit, term.unit));
+  for (const ExplainedInput& input : term.inputs) {
+    const std::string where = input.at ? "  (" + place_text(*input.at) + ")" : "";
+    text += fmt::format("  {:<18} {}{}\n", input.name, with_unit(input.value, input.unit), where);
+  }
+  if (!term.cause.empty()) text += "  " + term.cause + "\n";
+  return text;
+}
+
+nlohmann::ordered_json json_of(const ExplainedTerm& term) {
+  nlohmann::ordered_json inputs = nlohmann::ordered_json::array();
+  for (const ExplainedInput& input : term.inputs) {
+    nlohmann::ordered_json entry{{"name", input.name}, {"value", input.value}, {"unit", input.unit}};
+    if (input.at) entry["at"] = {input.at->dx, input.at->dy};
+    inputs.push_back(entry);
+  }
+  nlohmann::ordered_json around = nlohmann::ordered_json::array();
+  for (const std::optional<float>& value : term.around)
+    around.push_back(value ? nlohmann::ordered_json(*value) : nullptr);
+  return {{"name", term.name}, {"used", term.used}, {"value", term.value}, {"limit", term.limit},
+          {"unit", term.unit}, {"inputs", inputs},  {"around", around},    {"cause", term.cause}};
+}
+
+}  // namespace
+
+Explanation explain_pixel(const Frame& frame, int x, int y) {
+  const ImageParams& image = frame.settings().image;
+  if (x < 0 || y < 0 || x >= image.width || y >= image.height) {
+    throw input_error(fmt::format("pixel {}, {}", x, y), "is not inside the image",
+                      fmt::format("x is from 0 to {}, y from 0 to {}", image.width - 1, image.height - 1));
+  }
+  const EdgeDetector& detector = edge_detector(frame.settings());
+  const int reach = detector.reach_px();
+  const int left = std::max(x - reach, 0), top = std::max(y - reach, 0);
+  const int width = std::min(x + reach + 1, image.width) - left;
+  const int height = std::min(y + reach + 1, image.height) - top;
+  PerBuffer<Image> maps;
+  for (const BufferName map : detector.maps()) maps[map] = frame.raw_part(map, left, top, width, height);
+  Explanation explanation = detector.explain(maps, frame.settings(), x - left, y - top);
+  explanation.x = x;
+  explanation.y = y;
+  explanation.drawn = frame.pixel(detector.strength(), x, y).at(0, 0);
+  return explanation;
+}
+
+std::string explanation_text(const Explanation& explanation) {
+  std::string text = fmt::format(
+      "Pixel {}, {} by the detector '{}'{}\n{}\n", explanation.x, explanation.y, explanation.detector,
+      explanation.line_class.empty() ? "" : ": a line of class " + explanation.line_class,
+      explanation.verdict);
+  for (const ExplainedTerm& term : explanation.terms) text += term_text(term);
+  return text;
+}
+
+std::string explanation_json(const Explanation& explanation) {
+  nlohmann::ordered_json json{{"detector", explanation.detector}, {"pixel", {explanation.x, explanation.y}},
+                              {"line", explanation.is_line},      {"class", explanation.line_class},
+                              {"sum", explanation.sum},           {"limit", explanation.limit},
+                              {"unit", explanation.unit},         {"edge", explanation.edge},
+                              {"drawn", explanation.drawn},       {"verdict", explanation.verdict}};
+  json["terms"] = nlohmann::ordered_json::array();
+  for (const ExplainedTerm& term : explanation.terms) json["terms"].push_back(json_of(term));
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace inkbench

@@ -1,0 +1,22 @@
+// Why a pixel of a frame is a line or not. In: a frame and a pixel. Out: what its detector says, and the same
+// as text or JSON.
+#pragma once
+
+#include <string>
+
+#include "pipeline/passes/edges/explanation.h"
+#include "pipeline/pipeline.h"
+
+namespace inkbench {
+
+/// Reads a few pixels of the detector's maps. Errors (input): the pixel is not inside the image; as
+/// `Frame::raw_part`.
+Explanation explain_pixel(const Frame& frame, int x, int y);
+
+/// For a person: the verdict, then each term with its inputs and cause.
+std::string explanation_text(const Explanation& explanation);
+
+/// One JSON object on one line.
+std::string explanation_json(const Explanation& explanation);
+
+}  // namespace inkbench

@@ -1,0 +1,15 @@
+#include "pipeline/passes/edges/edge_detector.h"
+
+#include "pipeline/passes/edges/paper_detector.h"
+
+namespace inkbench {
+
+std::vector<const EdgeDetector*> edge_detectors() {
+  return {&paper_detector()};
+}
+
+const EdgeDetector& edge_detector(const Settings&) {
+  return *edge_detectors().front();
+}
+
+}  // namespace inkbench

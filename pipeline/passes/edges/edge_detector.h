@@ -1,0 +1,42 @@
+// What finds lines in an image: maps in, their strength and class out, and for any pixel why. Detectors are
+// listed here; each is a file of its own beside the passes that it runs.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/flow/buffer_name.h"
+#include "pipeline/image/image.h"
+#include "pipeline/passes/edges/explanation.h"
+#include "pipeline/settings/settings.h"
+
+namespace inkbench {
+
+class EdgeDetector {
+ public:
+  virtual ~EdgeDetector() = default;
+  virtual std::string_view name() const = 0;
+  virtual std::string_view help() const = 0;  ///< One sentence for a person.
+
+  /// The maps that decide, and how far from a pixel they are looked at.
+  virtual std::vector<BufferName> maps() const = 0;
+  virtual int reach_px() const = 0;
+
+  /// What it gives: above 0 where there is a line, H x W x 1.
+  virtual BufferName strength() const = 0;
+  /// The class of each line pixel; none where the detector tells it by `explain` alone.
+  virtual std::optional<BufferName> line_class() const = 0;
+
+  /// Why the pixel (x, y) of `maps` is a line or not. They are the raw values of `maps()`, all of one size,
+  /// of which the image's edges are edges only. `drawn` is left 0.
+  virtual Explanation explain(const PerBuffer<Image>& maps, const Settings& settings, int x, int y) const = 0;
+};
+
+/// All of them.
+std::vector<const EdgeDetector*> edge_detectors();
+
+/// The one that the settings draw with.
+const EdgeDetector& edge_detector(const Settings& settings);
+
+}  // namespace inkbench

@@ -1,0 +1,57 @@
+// Why a pixel is a line or not, as data that any edge detector gives and that the window and the command line
+// show: the terms of its decision, each with what it was made from.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace inkbench {
+
+/// From the explained pixel: dx to the right, dy downwards.
+struct Offset {
+  int dx = 0, dy = 0;
+  bool operator==(const Offset&) const = default;
+};
+
+/// A number that a term was made from.
+struct ExplainedInput {
+  enum class Role { plain, largest, smallest };
+
+  std::string name;  ///< "gmax"
+  double value = 0;
+  std::string unit;  ///< "deg", "px"; empty for plain numbers.
+  Role role = Role::plain;
+  std::optional<Offset> at;  ///< Where it was read.
+};
+
+/// A part of the decision.
+struct ExplainedTerm {
+  std::string name;   ///< "depth"
+  std::string title;  ///< "Depth term"
+  bool used = true;
+  double value = 0;  ///< What it adds.
+  double limit = 1;  ///< The most that it can add.
+  std::string unit;
+  std::vector<ExplainedInput> inputs;
+  /// What it looked at in the 3 x 3 pixels around, row by row from the top left; none outside the image.
+  std::array<std::optional<float>, 9> around;
+  std::string cause;  ///< "normals 62 degrees apart between box and room"; empty where nothing stands out.
+};
+
+struct Explanation {
+  std::string detector;
+  int x = 0, y = 0;
+  std::vector<ExplainedTerm> terms;
+  double sum = 0, limit = 0;  ///< A line needs this much; its strength is sum / limit.
+  std::string limit_name;     ///< "threshold"
+  std::string unit;           ///< Of both.
+  double edge = 0;            ///< What the detector stores for it, by the terms.
+  double drawn = 0;           ///< What it stored.
+  bool is_line = false;       ///< `edge` is not 0.
+  std::string line_class;     ///< "object", "silhouette", "crease": what the line is of; empty without one.
+  std::string verdict;        ///< "A line, because the sum of the terms, 1.2, reaches the threshold 0.75."
+};
+
+}  // namespace inkbench
