@@ -36,4 +36,6 @@ regenerate() {
 }
 regenerate parameters.md params --format markdown
 regenerate measures.md measure --list markdown
+regenerate architecture.md passes --format markdown
+./run passes --format dot | dot -Tsvg >docs/images/flow.svg
 echo "docs/ is up to date" >&2

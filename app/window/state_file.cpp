@@ -11,9 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json parameters_of(const Settings& settings) {
-  Settings copy = settings;
   Json json = Json::object();
-  for (const Param& param : list_params(copy)) json[param.key] = to_text(param.value());
+  for (const ConstParam& param : list_params(settings)) json[param.key] = to_text(param.value());
   return json;
 }
 

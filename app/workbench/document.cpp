@@ -54,7 +54,7 @@ void Document::change_text(const std::string& key, const std::string& text) {
 }
 
 void Document::reset(const std::string& key) {
-  Settings from = baseline();
+  const Settings& from = baseline();
   if (has_param(from, key)) change(key, find_param(from, key, "").value());
 }
 

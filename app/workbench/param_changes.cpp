@@ -38,18 +38,19 @@ std::string one_group_name(const std::string& group, const std::vector<ParamChan
   return group + "." + join(names, ", ");
 }
 
-void add_if_changed(const Param& before, const Param& after, std::vector<ParamChange>& changes) {
+void add_if_changed(const ConstParam& before, const ConstParam& after, std::vector<ParamChange>& changes) {
   Value old_value = before.value();
   Value new_value = after.value();
   if (old_value != new_value)
     changes.push_back({after.key, after.field, std::move(old_value), std::move(new_value)});
 }
 
-std::vector<ParamChange> changes_by_key(const std::vector<Param>& before, const std::vector<Param>& after) {
-  std::map<std::string, const Param*> gone;
-  for (const Param& param : before) gone.emplace(param.key, &param);
+std::vector<ParamChange> changes_by_key(const std::vector<ConstParam>& before,
+                                        const std::vector<ConstParam>& after) {
+  std::map<std::string, const ConstParam*> gone;
+  for (const ConstParam& param : before) gone.emplace(param.key, &param);
   std::vector<ParamChange> changes;
-  for (const Param& param : after) {
+  for (const ConstParam& param : after) {
     const auto old = gone.find(param.key);
     if (old == gone.end()) {
       changes.push_back({param.key, param.field, std::nullopt, param.value()});
@@ -58,7 +59,7 @@ std::vector<ParamChange> changes_by_key(const std::vector<Param>& before, const 
     add_if_changed(*old->second, param, changes);
     gone.erase(old);
   }
-  for (const Param& param : before) {
+  for (const ConstParam& param : before) {
     if (gone.contains(param.key)) changes.push_back({param.key, param.field, param.value(), std::nullopt});
   }
   return changes;
@@ -71,10 +72,8 @@ bool same_structure(const Settings& a, const Settings& b) {
 }
 
 std::vector<ParamChange> changed_params(const Settings& before, const Settings& after) {
-  Settings old_copy = before;
-  Settings new_copy = after;
-  const std::vector<Param> old_params = list_params(old_copy);
-  const std::vector<Param> new_params = list_params(new_copy);
+  const std::vector<ConstParam> old_params = list_params(before);
+  const std::vector<ConstParam> new_params = list_params(after);
   if (!same_structure(before, after)) return changes_by_key(old_params, new_params);
   std::vector<ParamChange> changes;
   for (size_t i = 0; i < new_params.size(); ++i) add_if_changed(old_params[i], new_params[i], changes);

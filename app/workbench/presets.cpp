@@ -145,11 +145,11 @@ PresetTable compare_settings(std::span<const NamedSettings> settings) {
       differing.insert(change.key);
   }
   std::set<std::string> seen;
-  for (Settings& order : copies) {
-    for (const Param& param : list_params(order)) {
+  for (const Settings& order : copies) {
+    for (const ConstParam& param : list_params(order)) {
       if (!differing.contains(param.key) || !seen.insert(param.key).second) continue;
       PresetTable::Row row{param.key, {}};
-      for (Settings& side : copies) {
+      for (const Settings& side : copies) {
         row.values.push_back(has_param(side, param.key)
                                  ? std::optional(find_param(side, param.key, "compare").value())
                                  : std::nullopt);

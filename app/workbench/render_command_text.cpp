@@ -7,7 +7,7 @@
 namespace inkbench {
 namespace {
 
-bool is_choice(const std::string& key, Settings& settings) {
+bool is_choice(const std::string& key, const Settings& settings) {
   return find_param(settings, key, "command").field->type == FieldType::choice;
 }
 
@@ -19,7 +19,6 @@ RenderCommand render_command(const Settings& settings, const std::filesystem::pa
   if (base.scene.empty())
     throw input_error("command", "no scene file has these models and lights",
                       "save the settings as a preset and open that as the scene");
-  Settings copy = settings;
   RenderCommand command;
   command.scene = base.scene;
   command.text = "inkbench render";
@@ -27,7 +26,7 @@ RenderCommand render_command(const Settings& settings, const std::filesystem::pa
     command.text += " --scene " + shell_word(base.scene.string());
   for (const NarrowChange& change : base.changes) {
     const std::string value =
-        is_choice(change.key, copy) ? std::get<std::string>(change.after) : to_text(change.after);
+        is_choice(change.key, settings) ? std::get<std::string>(change.after) : to_text(change.after);
     command.assignments.push_back(change.key + "=" + value);
     command.text += " --set " + shell_word(command.assignments.back());
   }

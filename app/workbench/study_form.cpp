@@ -172,9 +172,8 @@ void save_form(const CheckedForm& form) {
 }
 
 std::vector<std::string> sweepable_keys(const Settings& settings) {
-  Settings copy = settings;
   std::vector<std::string> keys;
-  for (const Param& param : list_params(copy)) {
+  for (const ConstParam& param : list_params(settings)) {
     const FieldType type = param.field->type;
     const char* components = type == FieldType::vector ? "xyz" : type == FieldType::colour ? "rgb" : "";
     for (const char* c = components; *c != '\0'; ++c) keys.push_back(param.key + "." + *c);

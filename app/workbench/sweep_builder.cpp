@@ -45,7 +45,7 @@ Limits range_around(double value, const Field& field) {
   return is_usable ? range : field.slider;
 }
 
-void check_range(const SweepAxis& axis, const Param& param) {
+void check_range(const SweepAxis& axis, const ConstParam& param) {
   const std::string where = "sweep of " + axis.key;
   if (!param.is_number())
     throw input_error(where, "is a " + std::string(type_name(param.field->type)), "list its values");
@@ -62,13 +62,13 @@ void check_range(const SweepAxis& axis, const Param& param) {
     throw input_error(where, "from and to are both " + shortest(axis.from), "give two ends that differ");
 }
 
-void check_axes(const std::vector<SweepAxis>& axes, Settings& settings) {
+void check_axes(const std::vector<SweepAxis>& axes, const Settings& settings) {
   if (axes.empty() || axes.size() > 3)
     throw input_error("sweep", fmt::format("over {} parameters", axes.size()), "give one to three");
-  std::vector<Param> seen;
+  std::vector<ConstParam> seen;
   for (const SweepAxis& axis : axes) {
-    const Param param = find_param(settings, axis.key, "sweep");
-    for (const Param& other : seen) {
+    const ConstParam param = find_param(settings, axis.key, "sweep");
+    for (const ConstParam& other : seen) {
       if (param.overlaps(other))
         throw input_error("sweep", axis.key + " and " + other.key + " are the same parameter");
     }
@@ -130,14 +130,13 @@ bool is_wanted(const NarrowChange& change, const std::vector<SweepAxis>& axes) {
 
 }  // namespace
 
-bool can_sweep(const Param& param) {
+bool can_sweep(const ConstParam& param) {
   const FieldType type = param.field->type;
   return param.is_number() || type == FieldType::boolean || type == FieldType::choice;
 }
 
 SweepAxis suggested_axis(const Settings& settings, const std::string& key) {
-  Settings copy = settings;
-  const Param param = find_param(copy, key, "sweep");
+  const ConstParam param = find_param(settings, key, "sweep");
   const Field& field = *param.field;
   if (!can_sweep(param)) {
     const bool has_components = field.type == FieldType::vector || field.type == FieldType::colour;
@@ -162,8 +161,7 @@ SweepAxis suggested_axis(const Settings& settings, const std::string& key) {
 
 StudyDraft draft_study(const SweepRequest& request, const Settings& settings, const fs::path& scene,
                        const fs::path& path) {
-  Settings copy = settings;
-  check_axes(request.axes, copy);
+  check_axes(request.axes, settings);
   SceneBase base = find_base(settings, scene);
   StudyDraft draft;
   draft.path = path;

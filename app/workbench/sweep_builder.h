@@ -22,7 +22,7 @@ struct SweepAxis {
 };
 
 /// Whether `suggested_axis` has a range or values for it: numbers, components, true/false and choices.
-bool can_sweep(const Param& param);
+bool can_sweep(const ConstParam& param);
 
 /// A range around the present value, which is its middle as far as limits allow: a quarter to four times on a
 /// log scale, a quarter of the slider's width to both sides on a linear one; the slider's range where that is

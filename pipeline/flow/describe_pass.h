@@ -159,6 +159,7 @@ PassKind describe_pass(std::string_view name, int cost, std::vector<ShownBuffer<
     kind.inputs.insert(kind.inputs.end(), told.begin(), told.end());
   };
   (tell(inputs.told()), ...);
+  if constexpr (requires { Tag::handed_by(); }) tell({Tag::handed_by()});
   kind.add_node = [=](Flow& flow) {
     using Made = PassNode<Tag, decltype(inputs.bind(flow))...>;
     flow.add_node(typeid(Tag), std::make_unique<Made>(name, cost, flow, shown, inputs.bind(flow)...));

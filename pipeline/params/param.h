@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 
 #include "pipeline/params/description.h"
 
@@ -29,6 +30,10 @@ struct ParamOf {
   const Field* field = nullptr;
   Owner* owner = nullptr;
   int component = -1;  ///< 0 to 2 when the key names one component of a vector.
+
+  operator ParamOf<const void>() const requires(!std::is_const_v<Owner>) {
+    return {key, field, owner, component};
+  }
 
   Value value() const;
   /// Whether setting one changes the other: the same parameter (".x" is ".r"), or a vector and its component.

@@ -17,8 +17,8 @@ ChartColumn measure_column(const Measure& measure) {
           .scale = measure.scale};
 }
 
-ChartColumn varied_column(const StudySpec& spec, Settings& settings, const std::string& key) {
-  const Param param = find_param(settings, key, key);
+ChartColumn varied_column(const StudySpec& spec, const Settings& settings, const std::string& key) {
+  const ConstParam param = find_param(settings, key, key);
   ChartColumn column{
       .name = key, .label = key.substr(key.rfind('.') + 1), .unit = std::string(param.field->unit)};
   for (const Axis& axis : spec.axes) {
@@ -52,7 +52,7 @@ std::vector<ChartColumn> chart_columns(const StudySpec& spec) {
   std::vector<ChartColumn> columns{{.name = "cell", .label = "cell"}};
   if (!spec.variants.empty())
     columns.push_back({.name = "variant", .label = "variant", .is_text = true, .names_itself = true});
-  Settings settings = spec.base;
+  const Settings& settings = spec.base;
   for (const std::string& key : varied_keys(spec)) columns.push_back(varied_column(spec, settings, key));
   for (const Measure* measure : study_measures(spec)) columns.push_back(measure_column(*measure));
   return columns;

@@ -137,7 +137,8 @@ TEST_F(Usage, params_defaults_are_the_papers) {
 TEST_F(Usage, tables_in_the_docs_are_the_programs) {
   for (const auto& [name, command] :
        {std::pair{"parameters.md", std::vector<std::string>{"params", "--format", "markdown"}},
-        {"measures.md", {"measure", "--list", "markdown"}}}) {
+        {"measures.md", {"measure", "--list", "markdown"}},
+        {"architecture.md", {"passes", "--format", "markdown"}}}) {
     const std::string content = content_of(fs::path(source_folder()) / "docs" / name);
     const std::string marker = "<!-- generated: inkbench " + join(command, " ") + " -->\n";
     const size_t start = content.find(marker);

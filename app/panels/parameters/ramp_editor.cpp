@@ -236,9 +236,9 @@ void RampEditor::draw_ramp(const std::string& key, const Field& field, const Ram
 }
 
 void RampEditor::draw() {
-  Settings settings = document_.settings();
-  std::vector<Param> ramps;
-  for (const Param& param : list_params(settings)) {
+  const Settings settings = document_.settings();  // a copy: what is dragged changes the document's
+  std::vector<ConstParam> ramps;
+  for (const ConstParam& param : list_params(settings)) {
     if (param.field->type == FieldType::ramp) ramps.push_back(param);
   }
   const float gap = scaled(28);

@@ -12,9 +12,8 @@ namespace {
 
 /// The parameter itself, or the components of a vector, with their names for the menu.
 std::vector<std::string> sweepable(const Settings& settings, const std::string& key) {
-  Settings copy = settings;
-  if (!has_param(copy, key)) return {};
-  if (can_sweep(find_param(copy, key, key))) return {key};
+  if (!has_param(settings, key)) return {};
+  if (can_sweep(find_param(settings, key, key))) return {key};
   std::vector<std::string> keys;
   for (const std::string& other : sweepable_keys(settings)) {
     if (other.starts_with(key + ".")) keys.push_back(other);

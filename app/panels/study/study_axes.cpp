@@ -169,7 +169,7 @@ void add_axis_combo(const Document& document, Studies& studies, Problems& proble
 void draw_study_axes(const Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
                      StudyForm& form, const CheckedForm& checked) {
   std::vector<SweepAxis>& axes = form.request.axes;
-  Settings settings = document.settings();
+  const Settings& settings = document.settings();
   std::optional<size_t> gone;
   for (size_t i = 0; i < axes.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));

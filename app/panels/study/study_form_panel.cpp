@@ -82,8 +82,7 @@ void measure_row(UiMap& ui_map, StudyForm& form) {
 
 /// Sizes from the parameter's own description.
 void side_bar(const Document& document, UiMap& ui_map, const char* key, int& side, float width) {
-  Settings settings = document.settings();
-  const Field& field = *find_param(settings, key, "").field;
+  const Field& field = *find_param(document.settings(), key, "").field;
   const BarResult bar = value_bar(key, side, field, width);
   ui_map.mark_item(std::string("study:") + key);
   if (bar.dragged) side = static_cast<int>(bar.value);

@@ -15,6 +15,7 @@ class QuantisePass {
   /// Whether float buffers are wanted: then the G-buffer's own texture is handed on.
   static bool hands_on(const Settings& settings);
   static const Texture& handed(const GBuffer& gbuffer) { return gbuffer.normal_and_depth; }
+  static PassInput handed_by() { return {ImageParams::description().group}; }
   /// In: normal and depth as the G-buffer has them. Out: the same as rgba8.
   Texture run(const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
