@@ -50,6 +50,9 @@ bool ParamOf<Owner>::is_number() const {
 }
 
 template struct ParamOf<void>;
-template struct ParamOf<const void>;
+// Member by member, since clang 14 would make `set` of it, too.
+template Value ParamOf<const void>::value() const;
+template bool ParamOf<const void>::overlaps(const ParamOf& other) const;
+template bool ParamOf<const void>::is_number() const;
 
 }  // namespace inkbench

@@ -47,6 +47,5 @@ using Param = ParamOf<void>;
 using ConstParam = ParamOf<const void>;
 
 extern template struct ParamOf<void>;
-extern template struct ParamOf<const void>;
 
 }  // namespace inkbench
