@@ -1,14 +1,14 @@
 #include "app/window/word_list.h"
 
+#include <algorithm>
+
 #include "pipeline/base/text.h"
 
 namespace inkbench {
 
 bool has_word(const std::string& words, std::string_view word) {
-  for (const std::string& one : split(words, ' ')) {
-    if (one == word) return true;
-  }
-  return false;
+  const std::vector<std::string> all = split(words, ' ');
+  return std::find(all.begin(), all.end(), word) != all.end();
 }
 
 std::string with_word(const std::string& words, std::string_view word, bool present) {

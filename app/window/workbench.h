@@ -15,8 +15,8 @@
 namespace inkbench {
 
 struct Workbench {
-  /// Starts with the session's settings; `keeping` must outlive this. Otherwise as `Viewer`.
-  Workbench(const Session& session, Keeping& keeping);
+  /// Starts with the session's settings; `kept` must outlive this. Otherwise as `Viewer`.
+  Workbench(const Session& session, Keeping& kept);
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
   ~Workbench();

@@ -33,7 +33,7 @@ class StudyQueue {
  public:
   /// `program`: the path of `inkbench`.
   explicit StudyQueue(std::filesystem::path program) : program_(std::move(program)) {}
-  ~StudyQueue();
+  ~StudyQueue();  // NOLINT(bugprone-exception-escape): see its body
 
   /// Runs the spec into the folder when those before it are over. One that waits or runs for that folder
   /// already is left as it is. Returns the job's number.

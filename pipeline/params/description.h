@@ -25,16 +25,15 @@ struct Limits {
 struct FieldText {
   std::string_view name;        ///< Last part of the key: "k_depth".
   std::string_view help;        ///< One line.
-  std::string_view unit = "";   ///< "deg", "px", "world units"; empty for plain numbers.
+  std::string_view unit;        ///< "deg", "px", "world units"; empty for plain numbers.
   Limits limits{};              ///< Hard limits, both allowed; each component of a vector.
   Limits slider{};              ///< The useful range; the hard limits where left out.
   Scale scale = Scale::linear;  ///< Of the slider, and of a sweep that does not say.
   bool is_path = false;  ///< A file's path: relative ones are resolved against the file that sets them.
-  std::string_view not_a_path = "";  ///< The one word that such a field takes for something else.
-  std::string_view zero_text =
-      "";  ///< "all": what a slider shows for 0, which stands beyond its largest value.
-  std::string_view matters_when =
-      "";  ///< "shape = torus": the setting of the same group without which it has no effect.
+  std::string_view not_a_path;  ///< The one word that such a field takes for something else.
+  std::string_view zero_text;   ///< "all": what a slider shows for 0, which stands beyond its largest value.
+  /// "shape = torus": the setting of the same group without which it has no effect.
+  std::string_view matters_when;
 };
 
 /// A field with its type and its place in the struct, reached through `get` and `set`.

@@ -35,7 +35,8 @@ std::string filled(std::string_view text, const Fields& fields) {
   size_t begin = 0;
   for (size_t open; (open = text.find("{{", begin)) != std::string_view::npos;) {
     const size_t close = text.find("}}", open);
-    const std::string_view name = text.substr(open + 2, close == text.npos ? close : close - open - 2);
+    const std::string_view name =
+        text.substr(open + 2, close == std::string_view::npos ? close : close - open - 2);
     const auto field = fields.find(name);
     if (field == fields.end())
       throw work_error("page.html", "has no value for {{" + std::string(name) + "}}");

@@ -111,7 +111,7 @@ StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Cel
   rewrite();
 }
 
-void StudyFolder::take_records(std::map<size_t, CellRecord> records) {
+void StudyFolder::take_records(std::map<size_t, CellRecord>&& records) {
   for (auto& [index, record] : records) {
     if (index >= keys_.size()) continue;
     if (const std::string problem = picture_problem(record); !problem.empty()) {

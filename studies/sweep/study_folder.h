@@ -77,7 +77,7 @@ class StudyFolder {
 
  private:
   /// Sorts the records of an earlier run into `done_`, `unmeasured_` and those that are dropped.
-  void take_records(std::map<size_t, CellRecord> records);
+  void take_records(std::map<size_t, CellRecord>&& records);
   /// Why the pictures or the numbers do not count; "" where they do.
   std::string picture_problem(const CellRecord& record) const;
   std::string number_problem(const CellRecord& record) const;

@@ -71,7 +71,8 @@ class RoundedBox {
   }
 
   uint32_t at(int corner, int i, int j) const {
-    return corner_vertices_[corner][static_cast<size_t>(i * (i + 1) / 2 + j)];
+    const int place = i * (i + 1) / 2 + j;
+    return corner_vertices_[corner][static_cast<size_t>(place)];
   }
 
   /// The vertex `step` steps along the border of a corner on which the normal has no component along `axis`;
