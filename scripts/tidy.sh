@@ -25,15 +25,20 @@ list() {
 }
 
 # Together, a source is included by another file, which is no finding. A header is read by many: its finding counts once.
+found=$folder/found
+rm -rf "$found"
+mkdir "$found"
 status=0
-list "$@" | xargs -d '\n' -P "$(nproc)" -n 1 clang-tidy -p "$folder" --quiet --checks=-bugprone-suspicious-include \
-  >"$folder/found.txt" 2>"$folder/errors.txt" || status=$?
-findings=$(grep -E '^/.*: (error|warning): ' "$folder/found.txt" | sed "s#^$root/##" | sort -u || true)
+# shellcheck disable=SC2016
+list "$@" | xargs -d '\n' -P "$(nproc)" -n 1 sh -c \
+  'clang-tidy -p "$0" --quiet --checks=-bugprone-suspicious-include "$2" >"$1/$$.txt" 2>"$1/$$.log"' "$folder" "$found" ||
+  status=$?
+findings=$(cat "$found"/*.txt | grep -E '^/.*: (error|warning): ' | sed "s#^$root/##" | sort -u || true)
 if [ -n "$findings" ]; then
   printf '%s\n' "$findings"
   exit 1
 fi
 if [ $status -ne 0 ]; then
-  cat "$folder/errors.txt" >&2
+  cat "$found"/*.txt "$found"/*.log >&2
   exit 1
 fi
