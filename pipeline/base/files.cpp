@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -11,10 +12,15 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <initializer_list>
 #include <sstream>
 #include <vector>
 
 #include "pipeline/base/error.h"
+
+/// Where the package lies that a program was linked with. Only programs outside the tree have it: the package
+/// compiles scripts/package/prefix.cpp into them.
+extern "C" [[gnu::weak]] const char* inkbench_package_prefix();
 
 namespace inkbench {
 namespace {
@@ -59,13 +65,47 @@ fs::path executable_folder() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
+/// Where bin/, lib/ and share/ may lie. The first follows a program that was moved with them.
+std::vector<fs::path> prefixes_in_use() {
+  std::vector<fs::path> prefixes;
+  if (const fs::path folder = executable_folder(); !folder.empty()) prefixes.push_back(folder.parent_path());
+  if (inkbench_package_prefix != nullptr) prefixes.emplace_back(inkbench_package_prefix());
+  return prefixes;
+}
+
 std::vector<fs::path> project_roots() {
   std::vector<fs::path> roots;
   if (const char* root = std::getenv("INKBENCH_ROOT"); root != nullptr && *root != '\0')
     roots.emplace_back(root);
-  if (const fs::path folder = executable_folder(); !folder.empty()) roots.push_back(folder);
+  for (const fs::path& prefix : prefixes_in_use()) roots.push_back(prefix / INKBENCH_DATA_FOLDER);
   roots.emplace_back(INKBENCH_SOURCE_DIR);
+  roots.push_back(fs::path(INKBENCH_PREFIX) / INKBENCH_DATA_FOLDER);
   return roots;
+}
+
+std::vector<fs::path> module_folders() {
+  std::vector<fs::path> folders;
+  if (const fs::path beside = executable_folder(); !beside.empty()) folders = {beside, beside.parent_path()};
+  for (const fs::path& prefix : prefixes_in_use()) folders.push_back(prefix / INKBENCH_MODULE_FOLDER);
+  folders.push_back(fs::path(INKBENCH_PREFIX) / INKBENCH_MODULE_FOLDER);
+  return folders;
+}
+
+/// The first that holds all the entries; empty where none does.
+fs::path first_with(const std::vector<fs::path>& folders, std::initializer_list<std::string_view> entries) {
+  std::error_code error;
+  const auto holds_all = [&](const fs::path& folder) {
+    return std::all_of(entries.begin(), entries.end(),
+                       [&](std::string_view entry) { return fs::exists(folder / entry, error); });
+  };
+  const auto found = std::find_if(folders.begin(), folders.end(), holds_all);
+  return found == folders.end() ? fs::path() : *found;
+}
+
+std::string looked_in(const std::vector<fs::path>& folders) {
+  std::string text;
+  for (const fs::path& folder : folders) text += (text.empty() ? "" : ", ") + folder.string();
+  return text;
 }
 
 }  // namespace
@@ -149,13 +189,10 @@ void make_folder(const fs::path& path) {
 }
 
 fs::path project_root() {
-  for (const fs::path& root : project_roots()) {
-    if (fs::is_directory(root / "shaders") && fs::is_directory(root / "data")) return root;
-  }
-  std::string looked_in;
-  for (const fs::path& root : project_roots()) looked_in += " " + root.string();
-  throw work_error("", "the folders shaders/ and data/ were not found in:" + looked_in,
-                   "set INKBENCH_ROOT to the folder that holds them");
+  const std::vector<fs::path> roots = project_roots();
+  if (fs::path root = first_with(roots, {"shaders", "data"}); !root.empty()) return root;
+  throw work_error("", "the folders shaders/ and data/ were not found in: " + looked_in(roots),
+                   "install inkbench again, or set INKBENCH_ROOT to the folder that holds them");
 }
 
 fs::path project_file(std::string_view relative) {
@@ -163,15 +200,11 @@ fs::path project_file(std::string_view relative) {
 }
 
 fs::path module_file(std::string_view name) {
-  const fs::path beside = executable_folder();
-  std::string looked_in;
-  for (const fs::path& folder : {beside, beside.parent_path(), beside.parent_path() / "lib/inkbench",
-                                 fs::path(INKBENCH_MODULE_FOLDER)}) {
-    if (folder.is_absolute() && fs::exists(folder / name)) return folder / name;
-    looked_in += " " + folder.string();
-  }
-  throw work_error(std::string(name), "a part of inkbench, was not found in:" + looked_in,
-                   "build or install inkbench again, and keep this file beside the executable");
+  const std::vector<fs::path> folders = module_folders();
+  if (const fs::path folder = first_with(folders, {name}); !folder.empty()) return folder / name;
+  throw work_error(std::string(name), "a part of inkbench, was not found in: " + looked_in(folders),
+                   "build or install inkbench again, and keep this file beside the executable or "
+                   "in " INKBENCH_MODULE_FOLDER);
 }
 
 }  // namespace inkbench

@@ -51,16 +51,17 @@ void remove_abandoned_files(const fs::path& folder);
 void make_folder(const fs::path& path);
 
 /// A file of the project itself, by its path in the source tree ("shaders/combine.frag"): looked for under
-/// $INKBENCH_ROOT, then beside the executable, then in the source tree. Errors (work): where it was looked
-/// for.
+/// $INKBENCH_ROOT, then in ../share/inkbench from the executable, in that of the package that a program
+/// outside the tree was linked with, in the source tree it was built from, and where it was to be installed.
+/// Errors (work): where it was looked for.
 fs::path project_file(std::string_view relative);
 
 /// A library that is opened when it is first needed, by its file's name: looked for beside the executable, in
-/// the folder above it (a build folder's tests) and where it is installed. Errors (work): where it was looked
-/// for.
+/// the folder above it (a build folder's tests), then in lib/inkbench of the same prefixes as
+/// `project_file`. Errors (work): where it was looked for.
 fs::path module_file(std::string_view name);
 
-/// The first folder of `project_file`'s search that holds the project's files.
+/// The first folder of `project_file`'s search that holds shaders/ and data/.
 fs::path project_root();
 
 }  // namespace inkbench
