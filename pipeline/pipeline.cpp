@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/gl/context.h"
+#include "pipeline/gl/gl_context.h"
 #include "pipeline/pass_list.h"
 #include "pipeline/passes/gbuffer/meshes.h"
 #include "pipeline/passes/lines/reference.h"
@@ -50,7 +50,8 @@ ShownRange gain_range(const DisplayParams& display, BufferName buffer) {
 
 Pipeline::Pipeline() : Pipeline(std::make_shared<LineFinder>()) {}
 
-Pipeline::Pipeline(std::shared_ptr<LineFinder> finder) : flow_(generated_sources()) {
+Pipeline::Pipeline(std::shared_ptr<LineFinder> finder)
+    : pool_user_(GlContext::current().textures()), flow_(generated_sources()) {
   flow_.share(std::move(finder));
   for (const PassKind* pass : all_passes()) flow_.add(*pass);
   picture_pass();
@@ -74,7 +75,7 @@ Frame Pipeline::at(const Settings& settings, const Frame& previous) {
 void Pipeline::forget_results() {
   for (const auto& node : flow_.nodes()) node->forget();
   pictures_.clear();
-  clear_texture_pool();
+  pool_user_.free_idle();
 }
 
 std::vector<std::string> Pipeline::pass_names() const {
@@ -118,6 +119,7 @@ std::string Pipeline::shader_problem() {
 }
 
 Shown Frame::show(BufferName buffer) const {
+  const PoolUser::Scope scope(pipeline_->pool_user_);
   return pipeline_->flow_.node_of(buffer).show(*state_, buffer);
 }
 
@@ -129,6 +131,7 @@ void Frame::draw(BufferName buffer) const {
 Picture Frame::picture(BufferName buffer) const {
   const Shown shown = show(buffer);
   if (shown.texture == nullptr) return shown.picture();
+  const PoolUser::Scope scope(pipeline_->pool_user_);
   const PictureView view = view_of(settings().display, buffer, std::nullopt);
   Picture picture = pipeline_->picture_pass().run(view, *shown.texture).read_picture();
   throw_gl_errors(std::string(name_of(buffer)));
@@ -141,7 +144,8 @@ PictureTexture Frame::picture_texture(BufferName buffer, const std::optional<Sho
   const Key key = inkbench::picture_key(view, this->key(buffer), pass.program().key());
   const Shown shown = show(buffer);
   const Texture& texture = pipeline_->pictures_[buffer].get(key, [&] {
-    const PassScope scope(pipeline_->flow_.observer(), "picture");
+    const PoolUser::Scope pool_scope(pipeline_->pool_user_);
+    const PassScope pass_scope(pipeline_->flow_.observer(), "picture");
     return pass.run(view, *shown.texture);
   });
   throw_gl_errors(std::string(name_of(buffer)));

@@ -10,6 +10,7 @@
 #include "pipeline/buffers.h"
 #include "pipeline/flow/flow.h"
 #include "pipeline/flow/stage.h"
+#include "pipeline/gl/texture_pool.h"
 #include "pipeline/lines/line_finder.h"
 #include "pipeline/passes/gbuffer/draw_item.h"
 #include "pipeline/passes/picture/picture.h"
@@ -114,7 +115,7 @@ class Pipeline {
   Frame at(const Settings& settings, const Frame& previous);
 
   /// Drops every pass's value and its memory, so that the next frame runs each pass it needs; meshes and
-  /// programs stay.
+  /// programs stay, and so does what other pipelines left in the context's pool.
   void forget_results();
 
   /// The meshes that the G-buffer draws, by model and level.
@@ -143,16 +144,14 @@ class Pipeline {
   std::vector<Program*> programs();
   PicturePass& picture_pass() { return flow_.shared<PicturePass>(); }
 
-  /// First, so that it is destroyed last, after the nodes have given their textures back.
-  struct PoolGuard {
-    ~PoolGuard() { clear_texture_pool(); }
-  } pool_guard_;
+  PoolUser pool_user_;  ///< First, so that it ends last, after the nodes have given their textures back.
   Flow flow_;
   PerBuffer<Stage<Texture>> pictures_;
 };
 
 template <class Tag>
 std::shared_ptr<const typename Tag::Value> Frame::value() const {
+  const PoolUser::Scope scope(pipeline_->pool_user_);
   return pipeline_->flow_.template node<Tag>().get(*state_);
 }
 

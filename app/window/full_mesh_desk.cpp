@@ -4,6 +4,7 @@ namespace inkbench {
 
 void FullMeshDesk::forget() {
   if (own_ && own_->reference.is_busy()) return;  // the end of its work would be waited for
+  if (own_) own_->pipeline.forget_results();      // nothing of it stays in the pool
   own_.reset();
   edges_.forget();
   behind_ = false;

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "pipeline/base/log.h"
-#include "pipeline/gl/context.h"
+#include "pipeline/gl/gl_context.h"
 
 namespace inkbench {
 namespace {

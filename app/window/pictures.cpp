@@ -4,7 +4,7 @@
 #include <chrono>
 #include <vector>
 
-#include "pipeline/gl/context.h"
+#include "pipeline/gl/gl_context.h"
 #include "pipeline/image/finite_range.h"
 
 namespace inkbench {

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "pipeline/base/error.h"
-#include "pipeline/gl/context.h"
 
 namespace inkbench {
 namespace {
@@ -76,11 +75,12 @@ Window::Window(const std::string& title, WindowSize size) : windowed_(size) {
   }
   glfwMakeContextCurrent(handle_);
   glfwSwapInterval(1);
-  enable_debug_output();
+  resources_.emplace();
   glfwSetWindowSizeLimits(handle_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
 }
 
 Window::~Window() {
+  resources_.reset();
   glfwDestroyWindow(handle_);
 }
 

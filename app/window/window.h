@@ -2,7 +2,10 @@
 // files of this folder. In: a title and a size. Out: something to draw into and present.
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include "pipeline/gl/gl_context.h"
 
 struct GLFWwindow;
 
@@ -45,6 +48,7 @@ class Window {
     ~Library();
   } library_;
   GLFWwindow* handle_ = nullptr;
+  std::optional<GlContext> resources_;
   bool full_screen_ = false;
   int x_ = 0, y_ = 0;  ///< Place and size before full screen.
   WindowSize windowed_;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
-#include "pipeline/gl/context.h"
 #include "pipeline/gl/framebuffer.h"
+#include "pipeline/gl/gl_context.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 
 namespace inkbench {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdlib>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "pipeline/base/error.h"
@@ -92,19 +91,6 @@ EGLContext make_current_context(EGLDisplay display) {
   return context;
 }
 
-std::string& reported_errors() {
-  static thread_local std::string errors;
-  return errors;
-}
-
-void APIENTRY on_debug_message(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum severity,
-                               GLsizei /*length*/, const GLchar* message, const void* /*user*/) {
-  if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
-  std::string& errors = reported_errors();
-  if (!errors.empty()) errors += " | ";
-  if (errors.size() < 2000) errors += message;
-}
-
 std::string gl_string(GLenum name) {
   const GLubyte* text = glGetString(name);
   return text == nullptr ? "" : reinterpret_cast<const char*>(text);
@@ -126,7 +112,7 @@ HeadlessContext::HeadlessContext() {
     display_ = candidate.display;
     context_ = context;
     platform_ = candidate.platform;
-    enable_debug_output();
+    resources_.emplace();
     return;
   }
   throw work_error("EGL",
@@ -138,6 +124,7 @@ HeadlessContext::HeadlessContext() {
 }
 
 HeadlessContext::~HeadlessContext() {
+  resources_.reset();
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
   eglTerminate(display_);
@@ -147,25 +134,6 @@ RendererInfo renderer_info() {
   RendererInfo info{gl_string(GL_RENDERER), gl_string(GL_VENDOR), gl_string(GL_VERSION), 0};
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.max_side_px);
   return info;
-}
-
-void enable_debug_output() {
-  glEnable(GL_DEBUG_OUTPUT);
-  glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-  glDebugMessageCallback(on_debug_message, nullptr);
-}
-
-void throw_gl_errors(const std::string& where) {
-  if (reported_errors().empty()) return;
-  const std::string errors = std::exchange(reported_errors(), "");
-  if (errors.find("OUT_OF_MEMORY") != std::string::npos) {
-    throw work_error(where, "the renderer has not enough memory for it", "choose a smaller image or mesh");
-  }
-  throw work_error(where, "OpenGL reported: " + errors);
-}
-
-void discard_gl_errors() {
-  reported_errors().clear();
 }
 
 }  // namespace inkbench

@@ -2,7 +2,10 @@
 // Mesa's software renderer without a surface.
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include "pipeline/gl/gl_context.h"
 
 namespace inkbench {
 
@@ -25,6 +28,7 @@ class HeadlessContext {
   void* display_ = nullptr;
   void* context_ = nullptr;
   std::string platform_;
+  std::optional<GlContext> resources_;
 };
 
 /// What `inkbench info` and manifests say of the current context.
@@ -33,14 +37,5 @@ struct RendererInfo {
   int max_side_px = 0;  ///< Largest texture side.
 };
 RendererInfo renderer_info();
-
-/// Sends OpenGL's debug messages to us from now on; called by every way of making a context.
-void enable_debug_output();
-
-/// Errors (work): what OpenGL reported since the last call, with `where` (a pass's name).
-void throw_gl_errors(const std::string& where);
-
-/// Forgets what OpenGL reported, where the caller reports it itself (a compiler's log).
-void discard_gl_errors();
 
 }  // namespace inkbench

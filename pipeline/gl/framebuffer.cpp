@@ -1,24 +1,64 @@
 #include "pipeline/gl/framebuffer.h"
 
+#include <fmt/format.h>
+
 #include <array>
-#include <cassert>
+
+#include "pipeline/base/error.h"
+#include "pipeline/gl/gl_context.h"
 
 namespace inkbench {
+namespace {
 
-RenderTarget::RenderTarget(std::initializer_list<const Texture*> colours, const Texture* depth) {
-  glCreateFramebuffers(1, &id_);
+GLuint make_framebuffer() {
+  GLuint id = 0;
+  glCreateFramebuffers(1, &id);
+  return id;
+}
+
+std::string label_of(const Texture& texture) {
+  std::array<char, 256> label{};
+  glGetObjectLabel(GL_TEXTURE, texture.id(), static_cast<GLsizei>(label.size()), nullptr, label.data());
+  return label.data();
+}
+
+std::string status_word(GLenum status) {
+  switch (status) {
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+      return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+      return "GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT";
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+      return "GL_FRAMEBUFFER_UNSUPPORTED";
+    default:
+      return fmt::format("status 0x{:04X}", status);
+  }
+}
+
+void check_complete(GLuint framebuffer, const Texture& first) {
+  const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER);
+  if (status == GL_FRAMEBUFFER_COMPLETE) return;
+  throw work_error(label_of(first),
+                   "the renderer cannot draw into its textures together: " + status_word(status),
+                   "a renderer of OpenGL 4.5 can; INKBENCH_RENDERER=software chooses Mesa's");
+}
+
+}  // namespace
+
+RenderTarget::RenderTarget(std::initializer_list<const Texture*> colours, const Texture* depth)
+    : name_(make_framebuffer()) {
   std::array<GLenum, 8> attachments{};
   GLsizei count = 0;
   for (const Texture* colour : colours) {
     attachments[count] = GL_COLOR_ATTACHMENT0 + count;
-    glNamedFramebufferTexture(id_, attachments[count], colour->id(), 0);
+    glNamedFramebufferTexture(name_.id(), attachments[count], colour->id(), 0);
     ++count;
   }
-  glNamedFramebufferDrawBuffers(id_, count, attachments.data());
-  if (depth != nullptr) glNamedFramebufferTexture(id_, GL_DEPTH_ATTACHMENT, depth->id(), 0);
-  assert(glCheckNamedFramebufferStatus(id_, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
-  glBindFramebuffer(GL_FRAMEBUFFER, id_);
+  glNamedFramebufferDrawBuffers(name_.id(), count, attachments.data());
+  if (depth != nullptr) glNamedFramebufferTexture(name_.id(), GL_DEPTH_ATTACHMENT, depth->id(), 0);
   const Texture& first = **colours.begin();
+  check_complete(name_.id(), first);
+  glBindFramebuffer(GL_FRAMEBUFFER, name_.id());
   glViewport(0, 0, first.width_px(), first.height_px());
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
@@ -34,13 +74,10 @@ RenderTarget::RenderTarget(std::initializer_list<const Texture*> colours, const 
 
 RenderTarget::~RenderTarget() {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glDeleteFramebuffers(1, &id_);
 }
 
 void draw_full_screen() {
-  static thread_local GLuint vertex_array = 0;  // core profile wants one bound, even without attributes
-  if (vertex_array == 0 || glIsVertexArray(vertex_array) == GL_FALSE) glCreateVertexArrays(1, &vertex_array);
-  glBindVertexArray(vertex_array);
+  glBindVertexArray(GlContext::current().empty_vertex_array().id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

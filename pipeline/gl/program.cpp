@@ -4,7 +4,7 @@
 #include <array>
 
 #include "pipeline/base/error.h"
-#include "pipeline/gl/context.h"
+#include "pipeline/gl/gl_context.h"
 
 namespace inkbench {
 namespace {

@@ -12,19 +12,33 @@ namespace inkbench {
 
 enum class TextureFormat { r32f, rg32f, rgba32f, r8, rg8, rgba8, depth32f };
 
+/// OpenGL's word for the format.
+GLenum internal_format(TextureFormat format);
+
+class TexturePool;
+
+/// What a texture takes from its context's pool and gives back to it.
+struct TextureStorage {
+  GLuint id = 0;
+  TextureFormat format = TextureFormat::r32f;
+  int width_px = 0, height_px = 0;
+  TexturePool* pool = nullptr;
+  int user = 0;  ///< Whom the pool keeps it for.
+};
+
 class Texture {
  public:
   Texture() = default;
-  /// Errors (work): larger than the driver allows.
+  /// From the pool of this thread's context. Errors (input): larger than the driver allows.
   Texture(const std::string& label, TextureFormat format, int width_px, int height_px);
   Texture(Texture&& other) noexcept;
   Texture& operator=(Texture&& other) noexcept;
   ~Texture();
 
-  GLuint id() const { return id_; }
-  TextureFormat format() const { return format_; }
-  int width_px() const { return width_px_; }
-  int height_px() const { return height_px_; }
+  GLuint id() const { return storage_.id; }
+  TextureFormat format() const { return storage_.format; }
+  int width_px() const { return storage_.width_px; }
+  int height_px() const { return storage_.height_px; }
 
   /// Fills the texture; the image has its size and its number of channels.
   void upload(const Image& image);
@@ -36,13 +50,7 @@ class Texture {
   Picture read_picture() const;
 
  private:
-  GLuint id_ = 0;
-  TextureFormat format_ = TextureFormat::r32f;
-  int width_px_ = 0;
-  int height_px_ = 0;
+  TextureStorage storage_;
 };
-
-/// Deletes the textures that finished passes left for reuse. Call before their context ends.
-void clear_texture_pool();
 
 }  // namespace inkbench

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "pipeline/gl/context.h"
-#include "pipeline/gl/texture.h"
 
 namespace inkbench {
 namespace {
@@ -12,10 +11,7 @@ namespace {
 class GlEnvironment : public testing::Environment {
  public:
   void SetUp() override { context_ = std::make_unique<HeadlessContext>(); }
-  void TearDown() override {
-    clear_texture_pool();
-    context_.reset();
-  }
+  void TearDown() override { context_.reset(); }
 
  private:
   std::unique_ptr<HeadlessContext> context_;

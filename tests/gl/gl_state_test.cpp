@@ -3,7 +3,7 @@
 
 #include <epoxy/gl.h>
 
-#include "pipeline/gl/context.h"
+#include "pipeline/gl/gl_context.h"
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
 #include "tests/gl/scenes.h"

@@ -154,7 +154,7 @@ TEST(Picture, that_cannot_be_made_leaves_the_last_one) {
   EXPECT_EQ(texture->read_picture(), before);
 }
 
-class Names : public PassObserver {
+class ToldPasses : public PassObserver {
  public:
   void begin_pass(std::string_view name) override { begun.emplace_back(name); }
   void end_pass() override { ++ended; }
@@ -166,7 +166,7 @@ TEST(Picture, observer_is_told_of_the_passes_that_run) {
   Settings settings = analytic_scene();
   Pipeline pipeline;
   pipeline.at(settings).picture_texture(BufferName::final);
-  Names names;
+  ToldPasses names;
   pipeline.observe(&names);
   pipeline.at(settings).picture_texture(BufferName::final);
   EXPECT_TRUE(names.begun.empty());
