@@ -20,8 +20,10 @@ struct TileBlock {
 }  // namespace
 
 TilePainter::TilePainter()
-    : program_("full_screen.vert", "tile.frag",
-               {.samplers = {"picture_map", "overlay_map"}, .uniform_blocks = {"tile_block"}}, {}) {}
+    : program_(
+          "full_screen.vert", "tile.frag",
+          {.samplers = {"picture_map", "overlay_map"}, .uniform_blocks = {{"tile_block", sizeof(TileBlock)}}},
+          {}) {}
 
 Texture TilePainter::run(const Texture& picture, const TilePlace& place, int width_px, int height_px,
                          const TileOverlay& overlay) const {

@@ -56,7 +56,8 @@ float opacity(const GpuMesh& mesh, const WireView& view, const ImageParams& imag
 
 }  // namespace
 
-WirePainter::WirePainter() : program_("wire.vert", "wire.frag", {.uniform_blocks = {"wire_block"}}, {}) {}
+WirePainter::WirePainter()
+    : program_("wire.vert", "wire.frag", {.uniform_blocks = {{"wire_block", sizeof(WireBlock)}}}, {}) {}
 
 Texture WirePainter::run(const Frame& frame, const WireView& view) const {
   const Settings& settings = frame.settings();

@@ -1,10 +1,14 @@
 #include "pipeline/gl/program.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "pipeline/base/error.h"
 #include "pipeline/gl/gl_context.h"
+#include "pipeline/params/glsl_block.h"
 
 namespace inkbench {
 namespace {
@@ -34,19 +38,43 @@ std::string resource_name(GLuint program, GLenum kind, GLint index) {
   return name.data();
 }
 
-GLint place_of(const std::string& name, const std::vector<std::string>& known,
-               std::span<const ShaderSource* const> sources) {
-  const auto found = std::find(known.begin(), known.end(), name);
-  if (found != known.end()) return static_cast<GLint>(found - known.begin());
-  std::string where;
+using Sources = std::span<const ShaderSource* const>;
+
+std::string place_in(Sources sources, const std::string& name) {
   for (const ShaderSource* source : sources) {
-    if (where.empty()) where = find_word(*source, name);
+    if (std::string where = find_word(*source, name); !where.empty()) return where;
   }
-  throw input_error(where, "nothing supplies '" + name + "'",
+  return "";
+}
+
+/// The place among what is supplied, whose names `projection` gives.
+template <class Known, class Projection>
+GLint place_of(const std::string& name, const Known& known, Projection projection, Sources sources) {
+  const auto found = std::ranges::find(known, name, projection);
+  if (found != known.end()) return static_cast<GLint>(found - known.begin());
+  throw input_error(place_in(sources, name), "nothing supplies '" + name + "'",
                     "put it into a described parameter group, or remove it");
 }
 
+/// Drivers may or may not count what fills the last 16 bytes.
+size_t padded(size_t bytes) {
+  return (bytes + 15) / 16 * 16;
+}
+
+void check_block_size(GLuint program, GLuint index, const UniformBlock& block, Sources sources) {
+  GLint bytes = 0;
+  glGetActiveUniformBlockiv(program, index, GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
+  if (padded(static_cast<size_t>(bytes)) == padded(block.bytes)) return;
+  throw input_error(place_in(sources, block.name),
+                    fmt::format("'{}' has {} bytes, but {} are supplied", block.name, bytes, block.bytes),
+                    "its members must be those of its C++ side, in the same order");
+}
+
 }  // namespace
+
+UniformBlock block_of(const Description& description) {
+  return {std::string(description.group) + "_block", std140_size(description)};
+}
 
 Program::Program(const std::string& vertex, const std::string& fragment, ProgramInputs inputs,
                  const GeneratedSources& generated)
@@ -111,7 +139,7 @@ Program::Name Program::link(const ShaderSource& vertex, const ShaderSource& frag
   return program;
 }
 
-void Program::bind_samplers(GLuint program, std::span<const ShaderSource* const> sources) const {
+void Program::bind_samplers(GLuint program, Sources sources) const {
   GLint count = 0;
   glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
   for (GLint i = 0; i < count; ++i) {
@@ -120,16 +148,19 @@ void Program::bind_samplers(GLuint program, std::span<const ShaderSource* const>
     glGetProgramResourceiv(program, GL_UNIFORM, i, 2, properties, 2, nullptr, values);
     if (values[0] >= 0) continue;
     const std::string name = resource_name(program, GL_UNIFORM, i);
-    glProgramUniform1i(program, values[1], place_of(name, inputs_.samplers, sources));
+    glProgramUniform1i(program, values[1], place_of(name, inputs_.samplers, std::identity(), sources));
   }
 }
 
-void Program::bind_blocks(GLuint program, std::span<const ShaderSource* const> sources) const {
+void Program::bind_blocks(GLuint program, Sources sources) const {
   GLint count = 0;
   glGetProgramInterfaceiv(program, GL_UNIFORM_BLOCK, GL_ACTIVE_RESOURCES, &count);
   for (GLint i = 0; i < count; ++i) {
     const std::string name = resource_name(program, GL_UNIFORM_BLOCK, i);
-    glUniformBlockBinding(program, i, static_cast<GLuint>(place_of(name, inputs_.uniform_blocks, sources)));
+    const auto binding =
+        static_cast<GLuint>(place_of(name, inputs_.uniform_blocks, &UniformBlock::name, sources));
+    check_block_size(program, static_cast<GLuint>(i), inputs_.uniform_blocks[binding], sources);
+    glUniformBlockBinding(program, static_cast<GLuint>(i), binding);
   }
 }
 

@@ -10,19 +10,30 @@
 #include "pipeline/gl/object.h"
 #include "pipeline/gl/shader_source.h"
 #include "pipeline/gl/texture.h"
+#include "pipeline/params/description.h"
 
 namespace inkbench {
 
-/// The names that a pass supplies; each list's place is the unit or binding.
+/// A uniform block and how many bytes a pass supplies for it.
+struct UniformBlock {
+  std::string name;
+  size_t bytes = 0;
+};
+
+/// The block that is generated for a group of parameters: "combine_block" for "combine".
+UniformBlock block_of(const Description& description);
+
+/// What a pass supplies; each list's place is the unit or binding.
 struct ProgramInputs {
   std::vector<std::string> samplers;
-  std::vector<std::string> uniform_blocks;
+  std::vector<UniformBlock> uniform_blocks;
 };
 
 class Program {
  public:
   /// Compiles shaders/`vertex` and shaders/`fragment`. Errors (input): file and line of what the compiler
-  /// objects to; an active uniform or block that is not among the inputs.
+  /// objects to; an active uniform or block that is not among the inputs; a block of another size than what
+  /// is supplied.
   Program(const std::string& vertex, const std::string& fragment, ProgramInputs inputs,
           const GeneratedSources& generated);
 

@@ -95,4 +95,15 @@ std::vector<uint8_t> pack_std140(const Description& description, const void* own
   return packer.finish();
 }
 
+size_t std140_size(const Description& description) {
+  size_t end = 0;
+  for (const Field& field : description.fields) {
+    const std::string_view type = glsl_type(field.type);
+    if (type.empty()) continue;
+    const size_t alignment = type == "vec3" ? 16 : 4;
+    end = (end + alignment - 1) / alignment * alignment + (type == "vec3" ? 12 : 4);
+  }
+  return (end + 15) / 16 * 16;
+}
+
 }  // namespace inkbench

@@ -27,4 +27,7 @@ std::string glsl_choices(const Description& description, const std::string& pref
 /// them.
 std::vector<uint8_t> pack_std140(const Description& description, const void* owner);
 
+/// How many bytes `pack_std140` gives.
+size_t std140_size(const Description& description);
+
 }  // namespace inkbench

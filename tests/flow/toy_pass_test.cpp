@@ -54,7 +54,8 @@ class ToyPass {
     return kKind;
   }
   explicit ToyPass(const GeneratedSources& generated)
-      : program_("full_screen.vert", "toy.frag", {.samplers = {"final_map"}, .uniform_blocks = {"toy_block"}},
+      : program_("full_screen.vert", "toy.frag",
+                 {.samplers = {"final_map"}, .uniform_blocks = {block_of(ToyParams::description())}},
                  generated) {}
   Texture run(const ToyParams& params, const Texture& final) const {
     Texture result("toy", TextureFormat::rgba32f, final.width_px(), final.height_px());

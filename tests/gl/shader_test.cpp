@@ -107,15 +107,44 @@ TEST_F(Shaders, uniform_block_that_nobody_supplies_is_an_error) {
   const std::string error = error_of(
       "#version 450 core\nlayout(std140) uniform wrong_block { float gain; } wrong;\nout vec4 colour;\nvoid "
       "main() { colour = vec4(wrong.gain); }\n",
-      {.uniform_blocks = {"right_block"}});
+      {.uniform_blocks = {{"right_block", 16}}});
   EXPECT_TRUE(contains(error, "'wrong_block'")) << error;
+}
+
+TEST_F(Shaders, block_with_another_member_is_an_error_that_names_it_and_both_sizes) {
+  folder_.edit("picture.frag", "  float gain;", "  float gain;\n  vec4 tint;");
+  const std::string error = input_error_of([] { Pipeline(); });
+  EXPECT_TRUE(contains(error, "shaders/picture.frag:6: 'picture_block' has 48 bytes, but 16 are supplied"))
+      << error;
+}
+
+TEST_F(Shaders, block_whose_members_stand_in_an_order_of_another_size_is_an_error) {
+  folder_.edit("shade.frag", "  int use_ramps;\n", "");
+  folder_.edit("shade.frag", "  vec3 eye; ", "  int use_ramps;\n  vec3 eye; ");
+  folder_.edit("shade.frag", "  float far; ", "  ");
+  folder_.edit("shade.frag", "  int light_count;\n", "  int light_count;\n  float far;\n");
+  const std::string error = input_error_of([] { Pipeline(); });
+  EXPECT_TRUE(contains(error, "shaders/shade.frag:10: 'view_block' has 128 bytes, but 112 are")) << error;
+}
+
+TEST_F(Shaders, block_in_an_included_file_is_named_there) {
+  folder_.edit("lib/draw_block.glsl", "  float far; ", "  mat4 spare;\n  float far; ");
+  const std::string error = input_error_of([] { Pipeline(); });
+  EXPECT_TRUE(contains(error, "shaders/lib/draw_block.glsl:3: 'draw_block' has 224 bytes, but 144 are"))
+      << error;
+}
+
+TEST_F(Shaders, list_of_another_length_is_an_error) {
+  folder_.edit("shade.frag", "Light lights[max_lights]", "Light lights[max_lights + 1]");
+  const std::string error = input_error_of([] { Pipeline(); });
+  EXPECT_TRUE(contains(error, "shaders/shade.frag:22: 'light_list'")) << error;
 }
 
 TEST_F(Shaders, parameter_without_description_is_no_member) {
   const std::string error = error_of(
       "#version 450 core\n#include \"generated/combine.glsl\"\nout vec4 colour;\nvoid main() {\n  colour = "
       "vec4(combine.k_dpeth);\n}\n",
-      {.uniform_blocks = {"combine_block"}});
+      {.uniform_blocks = {block_of(CombineParams::description())}});
   EXPECT_TRUE(contains(error, "shaders/test.frag:5") && contains(error, "k_dpeth")) << error;
 }
 

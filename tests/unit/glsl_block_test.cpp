@@ -84,6 +84,7 @@ void expect_packed(const Description& description, void* owner) {
   const std::vector<Member> members = std140_layout(glsl_members(description), &size);
   const std::vector<uint8_t> bytes = pack_std140(description, owner);
   ASSERT_EQ(bytes.size(), size) << description.group;
+  ASSERT_EQ(std140_size(description), size) << description.group;
   size_t next = 0;
   for (const Field& field : description.fields) {
     if (field.type == FieldType::text || field.type == FieldType::ramp) continue;

@@ -24,7 +24,8 @@ const PassKind& CombinePass::kind() {
 
 CombinePass::CombinePass(const GeneratedSources& generated)
     : program_("full_screen.vert", "combine.frag",
-               {.samplers = {"range_map"}, .uniform_blocks = {"combine_block"}}, generated) {}
+               {.samplers = {"range_map"}, .uniform_blocks = {block_of(CombineParams::description())}},
+               generated) {}
 
 Texture CombinePass::run(const CombineParams& params, const Texture& range, Precision precision) const {
   const TextureFormat format = precision == Precision::float32 ? TextureFormat::r32f : TextureFormat::r8;

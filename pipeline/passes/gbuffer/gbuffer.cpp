@@ -55,7 +55,8 @@ const PassKind& GBufferPass::kind() {
 }
 
 GBufferPass::GBufferPass(const GeneratedSources& generated)
-    : program_("gbuffer.vert", "gbuffer.frag", {.uniform_blocks = {"draw_block"}}, generated) {}
+    : program_("gbuffer.vert", "gbuffer.frag", {.uniform_blocks = {{"draw_block", sizeof(DrawBlock)}}},
+               generated) {}
 
 GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> items, int width_px,
                          int height_px) const {

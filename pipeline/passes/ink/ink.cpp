@@ -27,8 +27,10 @@ const PassKind& InkPass::kind() {
 }
 
 InkPass::InkPass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "ink.frag",
-               {.samplers = {"shaded_map", "edge_map"}, .uniform_blocks = {"ink_block"}}, generated) {}
+    : program_(
+          "full_screen.vert", "ink.frag",
+          {.samplers = {"shaded_map", "edge_map"}, .uniform_blocks = {block_of(InkParams::description())}},
+          generated) {}
 
 Texture InkPass::run(const InkParams& params, const Texture& shaded, const Texture& edges) const {
   Texture final("final", TextureFormat::rgba32f, shaded.width_px(), shaded.height_px());

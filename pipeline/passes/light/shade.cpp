@@ -91,6 +91,11 @@ ViewBlock make_view_block(const ShadeParams& params, float aspect) {
   return block;
 }
 
+template <class Item>
+size_t list_bytes(int capacity) {
+  return std140_size(Item::description()) * static_cast<size_t>(capacity);
+}
+
 /// A uniform buffer of `capacity` packed structs, the first ones from `items`.
 template <class Item>
 Buffer make_list(const std::string& label, const std::vector<Item>& items, int capacity) {
@@ -98,9 +103,8 @@ Buffer make_list(const std::string& label, const std::vector<Item>& items, int c
     throw input_error("scene", fmt::format("has {} {}", items.size(), label),
                       fmt::format("at most {}", capacity));
   }
-  const Item spare;
-  const size_t stride = pack_std140(Item::description(), &spare).size();
-  std::vector<uint8_t> bytes(stride * static_cast<size_t>(capacity));
+  const size_t stride = std140_size(Item::description());
+  std::vector<uint8_t> bytes(list_bytes<Item>(capacity));
   for (size_t i = 0; i < items.size(); ++i) {
     const std::vector<uint8_t> packed = pack_std140(Item::description(), &items[i]);
     std::copy(packed.begin(), packed.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i * stride));
@@ -145,7 +149,9 @@ const PassKind& BlinnPhong::kind() {
 ShadePass::ShadePass(const GeneratedSources& generated)
     : program_("full_screen.vert", "shade.frag",
                {.samplers = {"normal_and_depth_map", "object_id_map", "ramp_table"},
-                .uniform_blocks = {"view_block", "light_list", "material_list"}},
+                .uniform_blocks = {{"view_block", sizeof(ViewBlock)},
+                                   {"light_list", list_bytes<LightParams>(kMaxLights)},
+                                   {"material_list", list_bytes<MaterialParams>(kMaxModels)}}},
                generated) {}
 
 Texture ShadePass::run(const ShadeParams& params, const GBuffer& gbuffer) const {

@@ -17,7 +17,8 @@ struct PictureBlock {
 
 PicturePass::PicturePass(const GeneratedSources& generated)
     : program_("full_screen.vert", "picture.frag",
-               {.samplers = {"buffer_map"}, .uniform_blocks = {"picture_block"}}, generated) {}
+               {.samplers = {"buffer_map"}, .uniform_blocks = {{"picture_block", sizeof(PictureBlock)}}},
+               generated) {}
 
 Texture PicturePass::run(const PictureView& view, const Texture& buffer) const {
   Texture picture("picture", TextureFormat::rgba8, buffer.width_px(), buffer.height_px());
