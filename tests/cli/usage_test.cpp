@@ -172,6 +172,14 @@ TEST_F(Usage, info_names_renderer_versions_and_data) {
   EXPECT_THAT(result.out, HasSubstr(source_folder()));
 }
 
+TEST_F(Usage, info_names_where_a_persons_files_are_kept) {
+  CommandOptions options;
+  options.environment = {{"XDG_CONFIG_HOME", "/c"}, {"XDG_DATA_HOME", "/d"}, {"INKBENCH_CACHE", "/e"}};
+  const CommandResult result = inkbench({"info"}, options);
+  EXPECT_THAT(result.out,
+              HasSubstr("\npresets     /c/inkbench\nstudies     /d/inkbench/studies\ncache       /e\n"));
+}
+
 TEST_F(Usage, info_says_where_the_rabbit_was_not_found) {
   CommandOptions options;
   options.environment["INKBENCH_RABBIT"] = "/nonexistent/rabbit.obj";
