@@ -1,0 +1,13 @@
+// A program that finds nothing of inkbench, linked as from a package: prints what is said of that.
+#include <cstdio>
+
+#include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
+
+int main() {
+  try {
+    inkbench::project_root();
+  } catch (const inkbench::Error& error) {
+    std::puts(error.what());
+  }
+}
