@@ -17,7 +17,6 @@
 #include "pipeline/export.h"
 #include "pipeline/gl/context.h"
 #include "pipeline/pipeline.h"
-#include "studies/judging/buffer_source.h"
 #include "studies/sweep/run_study.h"
 #include "studies/sweep/worker_pool.h"
 
@@ -59,14 +58,14 @@ StudySpec k_sweep(int side_px, int columns, int rows) {
 /// As `run_study` draws and writes them, without tables, grid and page.
 void draw_cells(const StudySpec& spec, const fs::path& folder) {
   Pipeline pipeline;
-  BufferSource buffers(pipeline);
   make_folder(folder);
   const size_t threads = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, 8);
   WorkerPool encoders(threads, threads);
   for (const CellView& place : run_order(pipeline, spec)) {
     const Settings settings = view_settings(spec, make_cell(spec, place.cell), place.view);
-    const auto picture = std::make_shared<Picture>(buffers.picture(settings, BufferName::final));
-    benchmark::DoNotOptimize(buffers.picture(settings, BufferName::combined_edges));  // whose ink is counted
+    const Frame frame = pipeline.at(settings);
+    const auto picture = std::make_shared<Picture>(frame.picture(BufferName::final));
+    benchmark::DoNotOptimize(frame.raw(BufferName::combined_edges));  // whose ink is counted
     encoders.add([&folder, place, settings, picture] {
       write_png(folder / (std::to_string(place.cell) + ".png"), *picture,
                 export_text(settings, BufferName::final));
