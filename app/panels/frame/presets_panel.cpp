@@ -145,8 +145,8 @@ void PresetsPanel::draw_comparison() {
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
   if (ImGui::Button("Copy")) ImGui::SetClipboardText(table_text(table_).c_str());
   ui_map_.mark_item("preset:copy table");
-  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
-  if (!ImGui::BeginTable("differences", 3, kFlags)) return;
+  constexpr ImGuiTableFlags kTableFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
+  if (!ImGui::BeginTable("differences", 3, kTableFlags)) return;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("parameter", ImGuiTableColumnFlags_WidthStretch, 1.5F);
   ImGui::TableSetupColumn("now", ImGuiTableColumnFlags_WidthStretch);
