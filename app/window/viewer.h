@@ -95,8 +95,8 @@ class Viewer {
   WayBack way_back_;
   std::optional<Key> way_back_from_;  ///< The failure that it was found for.
   Explanation explanation_;
-  Key explained_;                     ///< What `explanation_` is of.
-  Key drawn_state_;                   ///< In the last frame.
+  Key explained_;    ///< What `explanation_` is of.
+  Key drawn_state_;  ///< In the last frame.
   long drawn_changes_ = 0;
 };
 

@@ -1,7 +1,7 @@
-// Images to and from files: read, and written as EXR, through OpenImageIO, which stays behind image_codecs.h and is
-// loaded by the first call here; PNG is written by png_file.h. Every file is written whole or not at all, and carries
-// `text` entries (parameters, version) in its metadata. All functions may run on several threads at once and use no
-// threads of their own. Errors (work) of all: the image module is missing.
+// Images to and from files: read, and written as EXR, through OpenImageIO, which stays behind image_codecs.h
+// and is loaded by the first call here; PNG is written by png_file.h. Every file is written whole or not at
+// all, and carries `text` entries (parameters, version) in its metadata. All functions may run on several
+// threads at once and use no threads of their own. Errors (work) of all: the image module is missing.
 #pragma once
 
 #include <filesystem>

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "studies/report/thumbnail.h"
 #include "studies/report/grid_tile.h"
+#include "studies/report/thumbnail.h"
 
 namespace inkbench {
 

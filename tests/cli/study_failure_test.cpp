@@ -125,8 +125,8 @@ TEST_F(StudyFailure, disk_that_fills_up_leaves_nothing_half_written_and_the_next
   write_spec("big", "size = [200, 150]\nshow = [\"normal\"]\n" + threshold_axis(8));
   ASSERT_TRUE(succeeds(study("big", "reference")));
   const FolderContent reference = lasting_content(file("reference"));
-  const std::string run = inkbench_program() +
-                          " study big.toml --out disk/out; status=$?; cp -r disk/out out; exit $status";
+  const std::string run =
+      inkbench_program() + " study big.toml --out disk/out; status=$?; cp -r disk/out out; exit $status";
   if (run_with_small_disk(file(""), "100k", "exit 0").status != 0)
     GTEST_SKIP() << "no disk can be mounted here";
   const CommandResult result = run_with_small_disk(file(""), "100k", run);
@@ -194,8 +194,7 @@ TEST_F(Unwritable, folder_without_permission_is_named) {
 }
 
 TEST_F(Unwritable, closed_output_is_no_crash) {
-  const CommandResult result =
-      run_command({"/bin/sh", "-c", inkbench_program() + " params | head -n 1"});
+  const CommandResult result = run_command({"/bin/sh", "-c", inkbench_program() + " params | head -n 1"});
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.err, IsEmpty());
 }

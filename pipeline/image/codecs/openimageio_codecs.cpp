@@ -114,12 +114,8 @@ bool encode_exr(const ImageShape& shape, const float* samples, const std::map<st
   return encode("openexr", name, spec, samples, encoded, problem);
 }
 
-constexpr ImageCodecs kCodecs = {.open = open,
-                                 .close = close,
-                                 .shape = shape,
-                                 .text = text,
-                                 .decode = decode,
-                                 .encode_exr = encode_exr};
+constexpr ImageCodecs kCodecs = {
+    .open = open, .close = close, .shape = shape, .text = text, .decode = decode, .encode_exr = encode_exr};
 
 }  // namespace
 }  // namespace inkbench
