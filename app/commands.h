@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The subcommands of `inkbench`: each declares its options and help, and runs after parsing. One command, one
 // file.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The command line: parses, runs one subcommand, and turns errors into one message and an exit status
 // (0; 1 the work failed; 2 bad usage or bad input).
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study's progress: for people on stderr, one line that renews itself on a terminal, a quiet line now and
 // then elsewhere; for programs on stdout, a JSON object a line.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/run_window.h"
 
 #include <epoxy/gl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The window from opening to closing: draws a frame when something happened, and sleeps otherwise.
 #pragma once
 

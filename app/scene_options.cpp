@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/scene_options.h"
 
 #include "app/size_option.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The options by which commands that draw choose what is drawn: `--scene`, `--from`, `--mesh`, `--size`,
 // `--set`.
 #pragma once

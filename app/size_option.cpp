@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/size_option.h"
 
 #include "pipeline/base/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // "1024x768" on a command line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a recording costs beside OpenMesh's own decimation to the same count, and what a level costs. On the
 // rabbit; the figures are only comparable within one run. For the limits: record / openmesh_quadrics
 // at most 1.3, level at most 10 ms.

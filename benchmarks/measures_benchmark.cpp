@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What measuring costs, on one core: the full set for 1024 x 1024 maps of the paper's scene (rabbit and box),
 // drawn with the paper's parameters and scored against the same scene with another k_normal; against itself
 // shifted, and turned by 2 degrees, which is the hardest for the matching; and the parts of the first.

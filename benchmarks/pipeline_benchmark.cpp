@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a frame and each kind of change cost, on the paper's scene at 512, 1024 and 2048 px squared. Figures
 // are only comparable within one run; the passes run are counted beside the times.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a whole study costs beside its cells: a K sweep of the paper's scene, first its pictures drawn and
 // written alone, then as a study with grid, report page and all, in turn. Counters: both times, and their
 // ratio in wall time and in processor time, which at most 1.3 is asked of; `resumed`, the seconds of a run

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/buffers.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table of buffers: every one that a pass of the list gives.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/explain.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why a pixel of a frame is a line or not. In: a frame and a pixel. Out: what its detector says, and the same
 // as text or JSON.
 #pragma once

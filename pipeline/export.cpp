@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/export.h"
 
 #include "pipeline/base/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Buffers to image files that know where they came from: every file carries all parameters and the version.
 #pragma once
 

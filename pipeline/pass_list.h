@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every pass, in the order of the chain: the one list of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The passes for people: what each takes, gives and costs. In: the list of passes. Out: a table, or a graph.
 #pragma once
 

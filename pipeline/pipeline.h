@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Settings to buffers. `pipeline.at(settings)` is a frame: asking it for a buffer computes what that needs
 // and nothing else; what an earlier frame computed from the same inputs is used again.
 #pragma once

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Shared by ./run and ./check: installing what is missing, building a preset. Expects $root.
 
 # say TEXT: one line for the person at the terminal.

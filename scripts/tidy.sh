@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # scripts/tidy.sh [FILE...]: clang-tidy, as .clang-tidy says, over these sources or all of pipeline/, studies/ and app/.
 # Prints the findings alone; exit status 1 if there are any. Nothing is built: build/tidy holds only the compile commands.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Takes the documentation's pictures of the window again, on a display of its own: real mouse and keyboard events, the
 window's own screenshots. Needs Debian's xvfb and xdotool (`./check` installs them) and a build (`./run` makes it).
 

@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // p = min(((gmax - gmin) / k)^2, 1) of each edge type, their sum against the threshold (3.4.4).
 #include "generated/combine.glsl"
 

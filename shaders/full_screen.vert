@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // One triangle that covers the whole image.
 
 void main() {

@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // G-buffer: all geometry that later passes read, in one pass (the paper's future work 5.1).
 #include "lib/draw_block.glsl"
 

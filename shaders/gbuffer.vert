@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // Model to clip space; the normal goes to world space.
 #include "lib/draw_block.glsl"
 

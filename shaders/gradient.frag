@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // The improved Sobel filter of 3.4.3, on the depth map and on the normal map at once:
 // g = 1/8 (|A-X| + 2|B-X| + |C-X| + 2|D-X| + 2|E-X| + |F-X| + 2|G-X| + |H-X|). Neighbours outside are clamped.
 

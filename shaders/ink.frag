@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // Where the combined edges are not zero the ink replaces the shading (3.5).
 #include "generated/ink.glsl"
 

@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // A buffer as an 8-bit picture: one channel as grey, three as colour, object ids as distinct colours; what is above a
 // value, times a gain.
 

@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // The normal and depth maps as an eight-bit framebuffer stores them; the target's format does the rounding.
 
 uniform sampler2D normal_and_depth_map;

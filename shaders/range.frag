@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // gmax - gmin in the 3 x 3 region around each pixel (3.4.4), for both gradients. Kept as a pass of its own, so that
 // a change of k does not compute it again.
 

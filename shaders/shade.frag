@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // Blinn-Phong light (3.1), summed over all lights, through ramps (3.2); deferred: it reads the G-buffer.
 #include "generated/light.glsl"
 #include "generated/material.glsl"

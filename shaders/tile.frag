@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // A part of a picture at the window's size: the mean of the picture pixels that a window pixel covers; when magnified, the
 // nearest one.
 

@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // A mesh's edges over a picture: one colour.
 
 layout(std140) uniform wire_block {

@@ -1,4 +1,5 @@
 #version 450 core
+// SPDX-License-Identifier: MIT
 // A mesh's edges over a picture: model space to the clip space of the tile that shows the picture.
 
 layout(std140) uniform wire_block {

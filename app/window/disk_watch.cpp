@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/disk_watch.h"
 
 #include <utility>

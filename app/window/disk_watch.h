@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edits on disk of what the pictures are made from: shaders, meshes, ramps. In: now and then a look. Out:
 // another number after each edit.
 #pragma once

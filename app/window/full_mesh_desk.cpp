@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/full_mesh_desk.h"
 
 namespace inkbench {

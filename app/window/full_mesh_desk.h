@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the full mesh gives under the same settings, for judging a level of it. In: the settings, once a
 // frame. Out: the full mesh's edges and reference lines. They come from passes of their own, so that the
 // window's are not run again.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Dear ImGui's life in a window: its context, fonts at the display's scale, and a frame's begin and end.
 #pragma once
 

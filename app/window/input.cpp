@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/input.h"
 
 #include <GLFW/glfw3.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mouse and keyboard, kept in the order in which they happened and handed to Dear ImGui a frame at a time. On
 // a slow renderer several events fall into one frame; ImGui 1.86 looks only at the state they leave, so that
 // a click between two movements would land in the wrong place and a short key press would be lost.

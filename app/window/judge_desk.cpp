@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/judge_desk.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The measures of the drawn lines beside the window. In: pictures and their frame, once a frame. Out: the
 // newest measures, the pinned state's, and overlays that show lines on pictures. The thread that measures
 // gets plain copies; the window never waits for it.

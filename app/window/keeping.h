@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What outlives the window: the last session, unsaved work of one that died, presets, recent files, camera
 // bookmarks. In: the user's folder; the rest of a session is document and layout.
 #pragma once

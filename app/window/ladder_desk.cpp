@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/ladder_desk.h"
 
 #include "pipeline/base/error.h"

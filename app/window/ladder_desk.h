@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Levels of meshes without waiting for them. In: the settings, once a frame. Out: the settings that can be
 // drawn now; while a ladder is made beside the window, those show the full mesh.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/listed_buffers.h"
 
 #include "app/window/word_list.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which buffers are looked at: those that the sheet lists, or those that fill the window. In: layout and
 // view.
 #pragma once

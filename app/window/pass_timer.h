@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // GPU time of each pass, from timestamps around its commands. In: a pipeline's passes. Out: milliseconds,
 // which arrive a frame or two later, and whether each pass ran when something last ran.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/picture_upload.h"
 
 namespace inkbench {

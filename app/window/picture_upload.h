@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures made in memory, onto the GPU.
 #pragma once
 

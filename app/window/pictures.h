@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The buffers' pictures as the window shows them: those of the settings now, and those of an earlier state
 // that was pinned. They are the pipeline's own pictures, left on the GPU; what is unchanged is a lookup.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reference lines in the window. In: the settings, once a frame. Out: the newest lines that were found,
 // perhaps of settings a moment ago, and textures of them. They are found beside the window.
 #pragma once

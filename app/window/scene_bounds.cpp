@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/scene_bounds.h"
 
 #include <glm/common.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The box around what the scene shows.
 #pragma once
 

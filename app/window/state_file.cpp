@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/state_file.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the window is doing, as JSON, for tests and reports: settings, view, counts, problems, where widgets
 // are.
 #pragma once

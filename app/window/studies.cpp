@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/studies.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The window's studies: the one that is being made, those that run or ran, and the one whose grid is looked
 // at. Panels read it and call it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/theme.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the window looks: two palettes with neutral greys, which do not tint the pictures between them, and one
 // accent. In: which palette and how large. Out: ImGui's style, and colours for what panels draw themselves.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/thumbnails.h"
 
 #include <sys/resource.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures from files at the size at which they are shown: read and scaled on a thread of their own, in the
 // order in which they are wanted, and kept on the GPU as far as a fixed amount of memory goes. In: paths and
 // sizes, each frame anew. Out: textures, once they are there.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/tile.h"
 
 #include <fmt/format.h>

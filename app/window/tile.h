@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A picture, or a part of it, at the size at which it stands in the window. In: a picture on the GPU and
 // which part of it. Out: a texture to draw one to one, kept until something changes, so that frames in which
 // only the mouse moves cost nothing here.

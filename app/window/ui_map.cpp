@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/ui_map.h"
 
 #include <imgui_internal.h>

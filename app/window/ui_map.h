@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where each widget of the last frame is, by its name: what lets a test press a button without knowing the
 // layout. Kept only when asked for.
 #pragma once

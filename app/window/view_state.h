@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the pictures are looked at: which one fills the window, zoom and pan shared by all, what is compared.
 // Nothing here changes a picture.
 #pragma once

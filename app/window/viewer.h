@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What shows the document: its pictures, the measures of its lines, and what both are made with. In: the
 // document, layout and view, once a frame. Out: pictures and measures, the newest that there are. Nothing
 // here draws widgets.

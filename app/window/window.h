@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A window on the desktop with an OpenGL 4.5 core context, from GLFW, whose header stays behind the .cpp
 // files of this folder. In: a title and a size. Out: something to draw into and present.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a panel wants of the window itself; the loop takes it after the frame.
 #pragma once
 

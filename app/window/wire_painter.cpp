@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/wire_painter.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The triangles of the scene's meshes, as they are drawn, as thin lines to lay over a picture. In: settings,
 // and which part of a picture a tile shows. Out: a see-through texture of the tile's size. Of the window
 // alone: no file has them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A list of words in one text, as "a b c": how the layout remembers sets of names.
 #pragma once
 

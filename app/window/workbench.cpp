@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/window/workbench.h"
 
 #include "app/window/window.h"

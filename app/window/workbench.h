@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All parts of the window's state. It stands at the top alone: panels are handed the parts that they use and
 // do not know each other.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Work beside the window that follows what is shown: asked for by name, once each, and told of when it is
 // done. In: requests with names. Out: results, and one flag for all such work that says that there is
 // something to show.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Moving the camera and the lights with the mouse. Pure functions: parameters and cursor in, parameters out.
 // Cursors are in px inside the shown image, x right, y down. A move that would leave the parameters' limits
 // is not made, so what comes out is accepted by settings if what went in was.

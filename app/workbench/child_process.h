@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A program that runs beside us: started, listened to, told to stop, and never left behind. In: a command.
 // Out: the lines that it writes and how it ended.
 #pragma once

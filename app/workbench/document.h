@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a person works on: the settings, every change of them with undo, and where they came from. In:
 // changes. Out: the settings now, and the baseline that they are compared with. What is not accepted becomes
 // a problem.

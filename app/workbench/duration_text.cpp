@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/duration_text.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Seconds as people say them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/file_opener.h"
 
 #include <fmt/format.h>

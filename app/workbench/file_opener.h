@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Opening files in the window, by what they hold: scenes, presets, exported images, meshes, ramps, studies.
 // In: paths. Out: a changed document, or what other parts of the window are handed.
 #pragma once

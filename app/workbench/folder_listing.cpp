@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/folder_listing.h"
 
 #include <fmt/format.h>

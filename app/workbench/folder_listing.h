@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a folder holds, for choosing files; and paths as people type or paste them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Undo and redo of every change of the settings. In: the settings after each change. Out: the settings to
 // show, and the steps by name. A step holds only what it changed, so that memory stays small.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Makes a model's ladder beside the window: reading, subdividing and recording the collapses take seconds for
 // large meshes. In: a model and the level that is wanted. Out: a ladder that gives that level at once.
 #pragma once

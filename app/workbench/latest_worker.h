@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Work beside the window, for the newest request: what waits is replaced. In: requests, as values. Out:
 // results, one at a time; the window never waits for one.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/live_judge.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Measures the drawn lines beside the window: the newest request wins, and the window never waits. In: edges
 // and reference lines as plain data. Out: measures and maps of what is right and wrong.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/live_reference.h"
 
 #include <algorithm>

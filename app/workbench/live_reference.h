@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds the reference lines beside the window: the newest request wins, and the window never waits. In: what
 // the lines are found from, as plain data. Out: the lines and pictures of them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the window tells: notes, warnings and errors with their time. Safe from any thread.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/open_outside.h"
 
 #include "app/workbench/child_process.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A file or folder in the program that the desktop has for it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/opened_file.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a file is that was dropped on the window or opened by name, told by its content. In: a path. Out: its
 // kind and what it holds, read and checked whole.
 #pragma once

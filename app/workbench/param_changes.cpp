@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/param_changes.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What differs between two settings, parameter by parameter, by visiting the descriptions. In: two settings.
 // Out: a list of changes; what undo, the comparison of presets, sweeps and the command line are made from.
 #pragma once

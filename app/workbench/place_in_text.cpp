@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/place_in_text.h"
 
 #include <cctype>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The place in a file that a message names, so that an editor can be sent there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Named presets: all settings as a TOML file each, in one folder. A preset is a scene file, so `inkbench
 // render
 // --scene` and studies read it as well.

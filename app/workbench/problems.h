@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the window tells a person: messages, which go to the log, and problems, which also stand in the way
 // until they are mended or dismissed. In: texts. Out: the problems as they are now.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/ramp_edit.h"
 
 #include <algorithm>

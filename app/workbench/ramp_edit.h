@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Editing a ramp by its stops. Pure functions: a ramp in, a ramp out, stops in rising order as a ramp needs
 // them. While dragging, apply them to the ramp as it was when the drag began, so that going back undoes.
 #pragma once

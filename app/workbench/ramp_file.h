@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ramps of their own: as a TOML file of stops, or as an image.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/recent_studies.h"
 
 #include "app/workbench/user_folder.h"

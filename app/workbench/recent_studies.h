@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The studies that were run from the window, newest first: what it lists, and continues or shows again. In
 // and out: a small TOML file.
 #pragma once

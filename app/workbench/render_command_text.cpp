@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/render_command_text.h"
 
 #include "app/workbench/scene_base.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The settings as a command line: `inkbench render ...` that draws the same.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/scene_base.h"
 
 #include "pipeline/base/error.h"

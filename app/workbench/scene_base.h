@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Settings as a scene file and what differs from it: the short way to write them down, for studies and
 // command lines.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What comes back at the next start: settings, scene, window, recent files, camera bookmarks. Here as a value
 // and as text; session_store.h keeps it on the disk.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/session_merge.h"
 
 #include <algorithm>

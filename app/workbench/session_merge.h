@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every window adds to and the session file holds once: recent files and camera bookmarks. A window that
 // closes keeps what another one wrote since it started.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The session on the disk. Each window autosaves into a folder of its own, which it holds locked for as long
 // as it lives: two windows cannot overwrite each other's work, and since the system lifts the lock of a
 // window that died, however it died, an autosave that nobody holds is unsaved work. A clean exit writes

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study before it runs, as a person fills it in: what to sweep, what to show, where it goes; or the text of
 // a spec that is written by hand. In: the form and the settings as they are. Out: the spec, checked whole.
 #pragma once

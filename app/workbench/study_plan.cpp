@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/study_plan.h"
 
 #include <fmt/format.h>

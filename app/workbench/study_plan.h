@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How much a study will do: for the line that the command line prints and the window shows before it runs.
 #pragma once
 

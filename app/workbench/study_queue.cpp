@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/study_queue.h"
 
 #include <algorithm>

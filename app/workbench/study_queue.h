@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Studies that run in the background, one after the other, each as `inkbench study` in a process of its own:
 // whatever becomes of it, the window goes on. In: specs and folders. Out: how far each one is.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/study_results.h"
 
 #include <sys/stat.h>

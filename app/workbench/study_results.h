@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study's folder as the window shows it: where each cell stands in the grid, its pictures and numbers. In:
 // a folder that `inkbench study` wrote or is writing. Out: what of it is there.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/sweep_builder.h"
 
 #include <fmt/format.h>

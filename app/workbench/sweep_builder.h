@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From "sweep this parameter" and "grid of these two" to a study's spec, which `inkbench study` runs
 // unchanged. In: what to vary and the settings as they are. Out: TOML text whose cells have those very
 // settings.

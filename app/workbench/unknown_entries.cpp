@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/unknown_entries.h"
 
 #include <algorithm>

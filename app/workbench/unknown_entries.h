@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a newer version wrote into a file of settings and this one does not know. In: the document. Out: the
 // document without it, and its names.
 #pragma once

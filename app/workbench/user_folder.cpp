@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/user_folder.h"
 
 #include <cstdlib>

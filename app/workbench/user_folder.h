@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the workbench keeps what is a person's own: presets and the last session.
 #pragma once
 

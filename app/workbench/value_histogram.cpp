@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/workbench/value_histogram.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How often values occur in a buffer, to be drawn. In: raw values. Out: counts of bins of equal width, by
 // channel.
 #pragma once

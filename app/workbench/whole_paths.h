@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study's spec that moves to another folder.
 #pragma once
 

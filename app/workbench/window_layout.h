@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the workbench window is laid out: sizes, dividers, open panels, theme. Described like a parameter
 // group, so that the session file, its checks and menus are visitors over it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one error type. Thrown for what a user, a file, a driver or a shader can cause; our own mistakes are
 // asserts. The message says where, what failed and what would be right, in one line a person can act on.
 #pragma once

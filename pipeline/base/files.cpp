@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/base/files.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files read whole and written all or nothing, and where the project's own files (shaders, data, studies)
 // lie.
 #pragma once

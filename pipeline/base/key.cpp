@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/base/key.h"
 
 #include <fmt/format.h>

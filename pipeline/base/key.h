@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cache keys: 128-bit FNV-1a over everything that decides a stage's output. Same key, same output.
 #pragma once
 

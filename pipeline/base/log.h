@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Notes that do not stop the work: what a mesh loader dropped, which fallback was taken. They go to stderr as
 // `inkbench: note: ...` unless a sink (a window's log, a test) is set.
 #pragma once

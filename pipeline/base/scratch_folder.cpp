@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/base/scratch_folder.h"
 
 #include <cerrno>

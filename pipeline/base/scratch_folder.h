@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A folder for files that are needed for a while: it disappears with the object that made it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Long work that can be given up. In: a question that it asks now and then. Out: an exception once the answer
 // is yes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/base/text.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small text helpers: numbers that read back exactly, joined lists, the nearest name for a misspelt one.
 #pragma once
 

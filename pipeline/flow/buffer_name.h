@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A buffer: what a pass makes that people can see, by the name that files, specs and the command line use.
 // Each is described once, beside its pass; `all_buffers` (pipeline/buffers.h) lists them.
 #pragma once

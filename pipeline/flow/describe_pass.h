@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How a pass says what it is, beside its class, in one call:
 //
 //   const PassKind& CombinePass::kind() {

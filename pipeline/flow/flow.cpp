@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/flow/flow.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The nodes of one pipeline, in an order in which each stands after those it takes values from, and what they
 // share.
 #pragma once

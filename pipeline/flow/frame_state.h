@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a frame is: settings, and the key of each node's value under them, worked out once; perhaps the frame
 // before.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a pass takes: parameter groups, single parameters, other passes' values, the frame before. Each says
 // both what it adds to the pass's key and what the pass is run with, so that these cannot differ. An input of
 // another kind is a struct with `bind`, `fold`, `get` and `told` like those here.

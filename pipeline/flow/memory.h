@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A node's memory: the values that it made last, each with the key of all that decided it. Same key: reuse.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A pass as a node of the flow: one name, inputs from which both its key and its run come, and the value that
 // it made last. In: a frame. Out: the value under the frame's settings, made only if nothing holds it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Who is told of each pass that runs: the window's timings. Knows nothing of passes but their names.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One stage's memory: the last value and the key of all that decided it. Same key: reuse.
 #pragma once
 

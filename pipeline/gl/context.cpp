@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/gl/context.h"
 
 #include <epoxy/egl.h>

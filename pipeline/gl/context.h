@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An OpenGL 4.5 core context without a window, from EGL: a GPU's device platform where there is one, else
 // Mesa's software renderer without a surface.
 #pragma once

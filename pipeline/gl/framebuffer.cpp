@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/gl/framebuffer.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a pass draws: a framebuffer over textures, bound for as long as the object lives.
 #pragma once
 

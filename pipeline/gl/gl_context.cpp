@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/gl/gl_context.h"
 
 #include <cassert>

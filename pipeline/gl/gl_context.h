@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What belongs to an OpenGL context beside the objects that others own: textures for reuse, the vertex array
 // of draws without attributes, what OpenGL reported. Each way of making a context owns one.
 #pragma once

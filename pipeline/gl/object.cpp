@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/gl/object.h"
 
 namespace inkbench {

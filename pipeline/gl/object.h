@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Move-only owners of OpenGL names: made whole, deleted in the destructor.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/gl/program.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A linked program from two shader files, and what it may read: samplers and uniform blocks by name.
 #pragma once
 

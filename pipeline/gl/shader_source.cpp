@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/gl/shader_source.h"
 
 #include <fmt/format.h>

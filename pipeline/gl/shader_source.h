@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shader files with `#include "..."`, expanded to one text whose errors name the file and line that a person
 // edits.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Textures that hold one image each: framebuffers between passes, and uploaded data. Row 0 of the texture is
 // the image's bottom row (OpenGL's way); reading and uploading turn it over, so that images have row 0 on
 // top.

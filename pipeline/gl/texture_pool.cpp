@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/gl/texture_pool.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Storage of textures that were given back, for the next texture of the same size and format: a sweep makes
 // the same textures thousands of times, and fresh pages cost the software renderer as much as a pass. One
 // pool a context; in it each user, such as a pipeline, has what it left idle to itself.

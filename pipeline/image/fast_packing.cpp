@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/image/fast_packing.h"
 
 #include <isa-l/igzip_lib.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bytes packed by ISA-L's DEFLATE, which takes flat pictures at gigabytes a second. In: bytes. Out: fewer
 // bytes, and back.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/image/finite_range.h"
 
 #include <algorithm>

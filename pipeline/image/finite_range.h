@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The range that an image's samples span. In: raw values. Out: the smallest and largest of those that are
 // finite.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An image in memory: H x W x C samples, row 0 on top, channels interleaved.
 #pragma once
 

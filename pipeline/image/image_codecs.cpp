@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/image/image_codecs.h"
 
 #include <dlfcn.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Encoders and decoders on memory, as the module pipeline/image/codecs gives them. OpenImageIO brings 260
 // shared libraries, which take a fifth of a second to load: the module is opened when the first image is read
 // or written, and nothing else knows of OpenImageIO. Only plain calls, standard types and standard exceptions

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/image/image_content.h"
 
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What an image file's bytes say before a decoder sees them: decoders trust headers, and a damaged one can
 // make them take gigabytes, fill in what is missing without a word, or write past their buffers. In and out:
 // bytes.

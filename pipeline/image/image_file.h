@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Images to and from files: read, and written as EXR, through OpenImageIO, which stays behind image_codecs.h
 // and is loaded by the first call here; PNG is written by png_file.h. Every file is written whole or not at
 // all, and carries `text` entries (parameters, version) in its metadata. All functions may run on several

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/image/png_chunks.h"
 
 #include <libdeflate.h>

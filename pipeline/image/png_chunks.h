@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The chunks that a PNG file is made of, text under any name and in any script among them, and telling a
 // whole file from one cut off or damaged. In and out: bytes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PNG files, written straight through two fast packers: libdeflate for a picture in memory, ISA-L for one
 // that comes in strips. In: 8-bit pictures and text. Out: files, whole or not at all, in sRGB.
 #pragma once

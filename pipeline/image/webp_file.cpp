@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/image/webp_file.h"
 
 #include <webp/encode.h>

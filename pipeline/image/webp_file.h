@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small lossy pictures for inside other files. In: a picture. Out: the bytes of a WebP file.
 #pragma once
 

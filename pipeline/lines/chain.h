@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Loose pieces joined end to end. In: points and links between them (mesh edges, or a curve's steps through
 // faces). Out: chains that use each link once.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/lines/drawing.h"
 
 #include <fmt/format.h>

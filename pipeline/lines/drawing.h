@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reference lines to look at. In: reference lines. Out: a picture or an SVG document, one colour a class.
 #pragma once
 

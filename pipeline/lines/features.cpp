@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/lines/features.h"
 
 #include <glm/matrix.hpp>

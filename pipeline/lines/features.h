@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the reference lines of a mesh need that no view changes: creases, ridges, valleys, curvature. In: the
 // full-resolution mesh's topology. Out: features, used for every view and at every level of a ladder.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reference lines of whole scenes from plain data, on any thread. In: the visible models' meshes, the
 // camera, the depth and object ids that the pipeline drew. Out: the visible lines. What no view changes is
 // kept from call to call.

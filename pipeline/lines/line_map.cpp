@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/lines/line_map.h"
 
 #include "pipeline/image/image_file.h"

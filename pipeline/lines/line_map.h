@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A line map: H x W bits, true = line, row 0 on top. What all measures look at: the lines a filter drew, or
 // the reference lines. Packed 64 pixels a word, since the measures work on whole words wherever they can.
 #pragma once

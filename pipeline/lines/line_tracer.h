@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines through faces, step by step. In: steps between crossings of edges, each with a strength. Out: chains
 // that are strong enough.
 #pragma once

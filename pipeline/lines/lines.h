@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reference lines: the lines that a perfect edge filter would draw, by class, as polylines. What extraction
 // puts out and what the measures, the `reference` buffer and the SVG writer read.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/lines/mesh_lines.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines of tier 1 that lie along mesh edges, in the mesh's own space, hidden parts included. In: topology and
 // eye. Out: edges by class.
 #pragma once

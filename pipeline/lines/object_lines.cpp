@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/lines/object_lines.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines between objects. In: the object-id image. Out: the borders between its regions, along pixel edges.
 #pragma once
 

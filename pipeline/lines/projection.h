@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines from a mesh's space to the image. In: points and camera. Out: the parts inside the view, in pixel
 // space, with 1 / z.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/lines/reference_lines.h"
 
 #include <algorithm>

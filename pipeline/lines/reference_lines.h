@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The front of the reference lines: scene, camera and the pipeline's depth and object-id buffers in; visible
 // polylines of all classes out, as docs/reference-lines.md defines them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ridges and valleys (Ohtake et al. 2004), as zeros of the derivative of a principal curvature.
 #include <algorithm>
 #include <array>

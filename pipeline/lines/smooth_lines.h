@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines of tier 2: where a smooth surface nearly turns away from the eye, and where it bends most. In: a
 // smooth surface, and the eye for suggestive contours. Out: lines through its faces, hidden parts included.
 #pragma once

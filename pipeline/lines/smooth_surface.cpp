@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/lines/smooth_surface.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The smooth parts of a mesh with their curvature. In: topology. Out: points, normals and curvature tensors,
 // smoothed, and derivatives over the surface. View-independent; lines of tier 2 are read from it.
 #pragma once

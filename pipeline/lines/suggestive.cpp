@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Suggestive contours (DeCarlo et al. 2003).
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which faces meet along which edge. In: a mesh. Out: its welded points, faces with normals, and edges with
 // their faces. View-independent: made once for each mesh, then read for every view.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/lines/visibility.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which parts of a projected line are seen. In: the line and the depth buffer. Out: the visible pieces.
 #pragma once
 

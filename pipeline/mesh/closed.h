@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether a mesh encloses volume: then nobody outside it ever sees the back of a face.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A triangle mesh as the passes draw it, and what was noticed when it was made.
 #pragma once
 

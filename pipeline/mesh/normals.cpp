@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vertex normals from faces. Sums run in double: thousands of thin triangles around one vertex would
 // otherwise leave a direction made of rounding.
 #include <algorithm>

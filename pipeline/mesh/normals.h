@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vertex normals from the faces around them. In: a mesh. Out: the same with other normals.
 #pragma once
 

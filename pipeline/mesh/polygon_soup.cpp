@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/polygon_soup.h"
 
 #include <fmt/format.h>

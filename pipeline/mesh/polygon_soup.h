@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A mesh file's raw content: points and polygons as they stand there, defects included. `mesh_from_soup`
 // makes the drawable mesh of it and counts every defect. Pure: no files, no OpenMesh.
 #pragma once

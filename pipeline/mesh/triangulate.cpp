@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/triangulate.h"
 
 #include <glm/geometric.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Polygons to triangles, as a fan.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/weld.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vertices at one place made one. In: a mesh whose files or primitives repeat points (an STL's corners, a
 // box's sharp edges). Out: the mesh without the repetitions, or which vertices coincide.
 #pragma once

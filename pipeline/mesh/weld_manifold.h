@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A mesh's triangles cut into two-manifold pieces, as half-edge structures need them. In: any mesh. Out: for
 // each triangle its corners as points of those pieces. Pure: no OpenMesh.
 #pragma once

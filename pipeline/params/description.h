@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One description per parameter, beside the struct that holds it: name, unit, limits, slider, help. Sliders,
 // study keys, `--set`, TOML, validation, uniform blocks, cache keys and the docs table are visitors over it.
 #pragma once

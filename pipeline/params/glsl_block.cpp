@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/params/glsl_block.h"
 
 #include <fmt/format.h>

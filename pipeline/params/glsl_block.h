@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Uniform blocks from descriptions: their GLSL text, which shaders include, and the bytes that fill them
 // (std140).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/params/param.h"
 
 #include "pipeline/params/toml_value.h"

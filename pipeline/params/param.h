@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A parameter inside some settings: its key, its description and where its value is. Settings that are only
 // read give `Const...` ones.
 #pragma once

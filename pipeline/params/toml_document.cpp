@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/params/toml_document.h"
 
 #include <toml++/toml.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A TOML document as a plain tree with line numbers. toml++ stays behind toml_document.cpp.
 #pragma once
 

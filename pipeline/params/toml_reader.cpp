@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/params/toml_reader.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every reader of a TOML document asks of its nodes: that they are of a kind, and that nothing is in a
 // table that is not known. Errors (input) name the document and the line.
 #pragma once

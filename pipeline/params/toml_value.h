@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From TOML to a parameter's value, and the one check of a value against its description.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/params/value.h"
 
 #include <fmt/format.h>

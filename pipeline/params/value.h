@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The values a parameter can hold, and their one text form (TOML syntax, shortest round-trip numbers), which
 // is what files, `--set`, study keys, image metadata and cache keys all use.
 #pragma once

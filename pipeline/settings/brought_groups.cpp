@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/settings/brought_groups.h"
 
 #include <algorithm>

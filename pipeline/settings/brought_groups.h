@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parameter groups that settings hold for passes from elsewhere: a program that adds a pass of its own (or a
 // test) brings the pass's group along, and it is listed, set, swept and kept in files as the others are.
 #pragma once

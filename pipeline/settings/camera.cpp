@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/settings/camera.h"
 
 #include <glm/ext/matrix_clip_space.hpp>

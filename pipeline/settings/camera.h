@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The camera: where the eye is, what it looks at, and the frustum. Out: view and projection matrices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/settings/combine_params.h"
 
 namespace inkbench {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the two edge terms become lines (3.4.4).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How buffers are shown as pictures: gains that make small values visible. They change no buffer, only its
 // picture.
 #pragma once

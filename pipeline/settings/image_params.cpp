@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/settings/image_params.h"
 
 namespace inkbench {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What all passes share: the size of the image and the precision of the framebuffers between passes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How lines are drawn over the shading (3.5).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How drawn lines are judged: how far off a line may be, where the lines that should be there run, and which
 // of them a drawing must have. No pass reads it; reference lines and measures do.
 #pragma once

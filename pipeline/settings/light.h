@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A light: directional or point, with ambient, diffuse and specular intensity (3.1).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How fine the scene's main model is drawn: a level of its decimation ladder, or a subdivision of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A model: a mesh file or a built-in shape, where it stands, and its material.
 #pragma once
 

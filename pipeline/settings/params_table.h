@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All parameters as a table: what `inkbench params` prints and the documentation shows.
 #pragma once
 

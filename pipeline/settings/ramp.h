@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ramps (3.2): the table that replaces the usual zero-to-one brightness, from stops or from an image.
 #pragma once
 

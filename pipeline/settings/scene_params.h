@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What belongs to the scene as a whole.
 #pragma once
 

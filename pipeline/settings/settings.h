@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything that decides an image: the scene and each pass's parameters, as one value. All visitors (files,
 // `--set`, studies, keys, tables) reach parameters through `list_params`.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Settings in TOML: scene files, the settings in an image's metadata and presets are one format.
 // [[model]] and [[light]] are lists of named tables; every other parameter is `group.name = value`.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "scripts/code_hash/code_text.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What of a C++ source decides what it computes. In: its text. Out: the code alone: no comments, no help
 // texts, no layout.
 #pragma once

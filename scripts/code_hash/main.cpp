@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // code_hash OUT ROOT NAME FILE... [-- NAME FILE...]: writes a C++ file that defines each NAME as the hash of
 // its files' code, which lie under ROOT. Run by the build. The file keeps its time where nothing changed, so
 // that nothing is compiled again.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What `cmake --install` leaves: the program, its image module, shaders, scenes and studies, the documentation, and a
 # CMake package of the folders of pipeline/ and studies/. All of it finds each other when the prefix is moved.
 include(CMakePackageConfigHelpers)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Compiled into every program that the package is linked to, so that the libraries find shaders, scenes and
 // modules where the package lies, wherever it was moved to. Weak, since several parts of a program may have
 // it.

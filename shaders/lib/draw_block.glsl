@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one model's draw needs.
 
 layout(std140) uniform draw_block {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/judging/drawing_meter.h"
 
 #include <memory>

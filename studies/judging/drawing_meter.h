@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Settings to a tally: draws, finds the reference lines, and counts. In: settings, or those of several views.
 // Out: the tally of the drawing, whose counts all views add to before any ratio is taken. What studies and
 // the command line measure with; the window hands the same `tally_view` what it has drawn already.

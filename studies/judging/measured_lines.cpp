@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/judging/measured_lines.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From an image's edges and its reference lines to what the measures compare. In: raw `combined_edges`,
 // reference lines, the judge. Out: line maps and tallies, the same for a study's cell, the window and the
 // command line.

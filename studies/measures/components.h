@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Connected parts and free ends of lines. In: a line map, as a rule thinned. Out: counts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A picture of where a prediction is right and wrong. In: prediction, reference and the tolerance. Out: an
 // RGB picture with a legend below it.
 #pragma once

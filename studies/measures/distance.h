@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Exact Euclidean distances from pixels to the nearest true pixel of a line map, as squared whole numbers, so
 // that no comparison depends on rounding. Near distances for whole bands of rows at once, far ones for the
 // pixels that ask. Distances are between pixel centres.

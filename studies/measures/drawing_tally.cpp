@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/measures/drawing_tally.h"
 
 namespace inkbench {

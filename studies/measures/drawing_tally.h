@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a whole drawing adds up to, over all of its views: the counts from which every measure follows. In:
 // the tallies of views. Out: their sum.
 #pragma once

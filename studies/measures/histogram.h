@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How often each whole number occurs: squared distances, which pool over views exactly by adding counts. In:
 // numbers. Out: means and quantiles of a function of them.
 #pragma once

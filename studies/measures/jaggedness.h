@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How straight a drawn line runs along the line that it stands for. In: the unthinned prediction and the
 // reference polylines. Out: sums from which jaggedness and bias follow, poolable by addition.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/measures/ladder_tally.h"
 
 #include "studies/measures/distance.h"

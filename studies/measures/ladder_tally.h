@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What decimation does to lines (measures.md section 5). In: a level's lines and the full mesh's, from one
 // camera. Out: which part of a loss is the geometry's, and how much of the inner drawing stays or is new.
 #pragma once

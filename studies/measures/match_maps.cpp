@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/measures/match_maps.h"
 
 #include <array>

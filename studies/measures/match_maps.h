@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where drawn lines are right and wrong, as maps. In: a view's lines. Out: thinned pixels of each kind, for
 // an overlay.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/measures/matching.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One-to-one matching between the pixels of two thinned line maps. In: the maps and a tolerance. Out: a
 // matching with the largest possible number of pairs, from which precision and recall follow.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table of measures and their values as text.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/measures/measure_values.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The formulas of the measures (docs/measures.md). In: a drawing's tally. Out: the value; none where the
 // measure has none.
 #pragma once

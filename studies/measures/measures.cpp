@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/measures/measures.h"
 
 #include <algorithm>

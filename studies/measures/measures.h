@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table of measures: one row says all that anyone must know of a measure. The window's judge, data.csv,
 // charts, the report, `score`, `measure` and docs/measures.md are loops over it. In: a tally of one view or
 // of several pooled. Out: numbers, and what each is called and means. Definitions: docs/measures.md.

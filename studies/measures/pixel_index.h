@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers the true pixels of a line map 0, 1, 2, ... row by row, so that what belongs to pixels can lie in
 // plain arrays. In: a map. Out: pixel to number and back, in memory that grows with words and true pixels.
 #pragma once

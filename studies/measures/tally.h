@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one view's lines add up to: counts and sums from which every measure follows. In: a prediction and its
 // reference. Out: a tally; tallies of several views and scenes pool by addition, so that no ratio is
 // averaged.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Thinning: lines of any width become lines one pixel wide. In: a line map. Out: its thinned map, on which
 // lines are counted and matched.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A chart of a study: which columns of data.csv it shows, and how. In: such a description and the table. Out:
 // the text of a gnuplot script that draws the chart. Knows no spec and starts no process.
 #pragma once

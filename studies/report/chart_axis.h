@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Axes of charts: which range they show and where their ticks stand. In: values, the axis's length and the
 // size of its lettering. Out: numbers and labels that fit.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What can be said against a chart before any cell is drawn.
 #include <fmt/format.h>
 

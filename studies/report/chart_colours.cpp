@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/report/chart_colours.h"
 
 #include <fmt/format.h>

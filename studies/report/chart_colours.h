@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The colours of charts: a path through OKLab along which lightness changes evenly, so that order survives
 // printing in grey and every kind of colour vision. Out: "#rrggbb".
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a chart shows, picked from the table: panels, curves and their points, or the cells of heat maps. In:
 // a chart and the table. Out: numbers and the order of names, without colours or places on paper.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The script of a heat map: cells of one size for each pair of x and y, coloured by a value, its best one
 // outlined.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where things stand on a chart's paper: title, panels, legend, notes. In: the texts and how much room axes
 // take. Out: places in px from the upper left corner; the paper grows downwards where it must.
 #pragma once

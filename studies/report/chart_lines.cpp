@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The script of a chart of lines: one panel or several that share their axes, a curve for each y and by.
 #include <algorithm>
 #include <array>

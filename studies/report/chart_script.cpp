@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/report/chart_script.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The parts that the scripts of all charts share. In: a chart, its layout and axes. Out: lines of gnuplot.
 #pragma once
 

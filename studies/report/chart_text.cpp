@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/report/chart_text.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text in charts: numbers as people read them, and text as gnuplot takes it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rows of a CSV file (RFC 4180, with \n line ends), written and read back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs gnuplot on a script. In: the script's file, where its pictures go. Out: the pictures, or an error that
 // holds what gnuplot said.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The image grid of a study: cells with titles, axis labels and values, composed a row of cells at a time, so
 // that memory does not grow with the number of cells. In: a layout and a way to get each cell. Out: grid.png
 // and pages.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sizes of everything in the image grid: cells, type, gaps, and how many cells a sheet holds. In: a
 // GridLayout. Out: the metrics that all sheets of one grid share, for grid_plan.cpp to place things by.
 #pragma once

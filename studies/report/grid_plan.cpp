@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/report/grid_plan.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where everything in the image grid goes: sizes, line breaks, labels, the split into pictures. Pure
 // arithmetic on the layout and the widths of texts. In: a GridLayout. Out: sheets (one written picture each)
 // for grid.cpp to draw.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the grid shows of one picture of a cell, made while the picture is in memory. A cell may hold several
 // pictures side by side and is scaled as a whole, so that a column of the drawn cell may be a mean over two
 // of them: their columns there are kept as they are. In: pictures, one after the other. Out: the drawn cell.

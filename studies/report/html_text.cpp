@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/report/html_text.h"
 
 #include <fmt/format.h>

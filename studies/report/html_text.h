@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Texts from anywhere made safe inside the report page. In: any bytes. Out: UTF-8 that stays text where it is
 // put.
 #pragma once

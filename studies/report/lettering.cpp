@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/report/lettering.h"
 
 #include <ft2build.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text in pictures: how wide it is, where it breaks, which size fits, and drawing it. DejaVu Sans through
 // FreeType, which stays behind lettering.cpp (Debian 12's OpenImageIO draws text too, but decodes ASCII only:
 // of a degree sign it makes "0"). In: UTF-8 text and sizes in pixels per em. Used by the image grid. All

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The report page of a study: one HTML file that shows its grid, charts, table and how it was made, and opens
 // from disk. In: a StudyPage, plain data. Out: the text of index.html. Its look and behaviour are the files
 // in studies/report/page/.

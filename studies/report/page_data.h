@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the report page's script reads: axes, cells, table. In: a StudyPage. Out: JSON that can stand inside
 // <script>.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/report/scaling.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures at another size. In: a picture and a size. Out: the picture at that size. Used by the image grid
 // and the report page's thumbnails.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/report/svg_text.h"
 
 #include <algorithm>

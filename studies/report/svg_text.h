@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // SVG files made fit for standing in one HTML page together. In and out: text.
 #pragma once
 

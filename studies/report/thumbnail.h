@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small pictures that lie inside the report page. In: how many there will be and the room for them, then each
 // picture. Out: base64 of a WebP file, which is half the size of a JPEG file here.
 #pragma once

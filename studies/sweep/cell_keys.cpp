@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/cell_keys.h"
 
 #include <algorithm>

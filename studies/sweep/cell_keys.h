@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The keys of a study's cell: what its pictures and what its numbers depend on. Same key, same results: a
 // further run keeps them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/cell_tiles.h"
 
 #include <fmt/format.h>

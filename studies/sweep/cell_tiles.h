@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What grid and page show of a study's pictures, kept in tiles/ from when each is drawn, on the thread that
 // encodes it. A later run that finds a picture's tile need not decode the picture. In: pictures. Out: a file
 // each, named by a hash of the picture's file, of its place in the grid and of the code that scales.

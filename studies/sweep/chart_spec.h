@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The [[chart]] tables of a study's spec: which columns of data.csv to plot, and how. In: the spec's document
 // and what was read of it so far. Out: charts that this study's cells can fill.
 #pragma once

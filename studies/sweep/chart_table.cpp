@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/chart_table.h"
 
 #include <fmt/format.h>

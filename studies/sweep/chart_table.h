@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One [[chart]] table of a study's spec. In: the table and what was read of the spec. Out: the chart, with
 // all that the spec leaves out filled in from the descriptions of its columns.
 #pragma once

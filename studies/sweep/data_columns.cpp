@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/data_columns.h"
 
 #include <algorithm>

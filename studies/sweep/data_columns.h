@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The columns of data.csv that tell cells apart, and what charts must know of every column. In: a spec. Out:
 // names, labels, and the table as far as it is known before a cell is drawn.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/journal.h"
 
 #include <nlohmann/json.hpp>

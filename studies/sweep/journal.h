@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a study has finished, one line a cell, appended as cells end. It decides what a later run trusts:
 // pictures and numbers count only if their key is still that of its line, and the size and hash of each file.
 #pragma once

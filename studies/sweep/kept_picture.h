@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What grid and report page show of one picture, as bytes: much smaller than the picture, and cheap to read.
 #pragma once
 

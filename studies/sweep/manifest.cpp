@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/manifest.h"
 
 #include <fmt/chrono.h>

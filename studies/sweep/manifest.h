@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // manifest.json: what was run, with what, and when.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/number_columns.h"
 
 #include "studies/sweep/spec.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The numbers of a cell in data.csv: which columns, what they need, what stands in them.
 #pragma once
 

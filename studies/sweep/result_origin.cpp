@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/result_origin.h"
 
 #include "pipeline/gl/context.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What made a study's results beside their settings: the code that computes, and the renderer.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/run_study.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs a study: draws its cells so that the cheapest change is innermost, encodes them beside the drawing,
 // and leaves a folder with index.html, grid.png, cells/, data.csv and manifest.json. Continues what an
 // earlier run of the same study left.

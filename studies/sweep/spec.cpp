@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/spec.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study's spec: base settings, what varies (axes or named variants), what each cell shows. Read from TOML
 // and validated whole: a spec that was read has only cells that can be started.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/spec_axes.h"
 
 #include <fmt/format.h>

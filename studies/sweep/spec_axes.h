@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The [[axis]] tables of a study's spec: which parameters vary, over which values. In: the spec's document
 // and what was read of it so far. Out: axes whose every value the parameter accepts.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Specs as they are read: TOML in, a StudySpec whose every entry was looked at out.
 #include <fmt/format.h>
 

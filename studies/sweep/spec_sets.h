@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The [[variant]] and [[view]] tables of a study's spec: names and what they set. In: the spec's document and
 // what was read of it so far. Out: sets whose every value the parameter accepts.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A finished study's charts: from the spec and data.csv to a script, an SVG and a PNG each.
 #pragma once
 

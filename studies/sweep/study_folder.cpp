@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/study_folder.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study's folder: what an earlier run left that still counts, and the files that grow as cells end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/study_grid.h"
 
 #include <fmt/format.h>

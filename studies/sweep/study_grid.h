@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A finished study's cells as its grid, and where each picture stands in it.
 #pragma once
 

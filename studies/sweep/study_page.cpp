@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/study_page.h"
 
 #include <fmt/format.h>

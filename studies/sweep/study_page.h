@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A finished study's report page, index.html. In: the study's spec and folder, and what is kept of its
 // pictures as the grid takes it. Out: the file, beside grid.png.
 #pragma once

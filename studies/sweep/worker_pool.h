@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Threads that take work from a bounded queue: encoding overlaps drawing, and memory does not grow when
 // encoding is the slower one.
 #pragma once

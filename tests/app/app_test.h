@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A real window under a test: the program in a folder of its own, real mouse and keyboard events from
 // xdotool, and what the window says of itself in its state file.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/app/display.h"
 
 #include <fcntl.h>

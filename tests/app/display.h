@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An X server without a screen, for one test program: started on a free display number and ended with it.
 #pragma once
 

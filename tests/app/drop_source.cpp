@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/app/drop_source.h"
 
 #include <X11/Xatom.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files dragged from a file manager and dropped on a window, by the XDND protocol (version 5).
 #pragma once
 

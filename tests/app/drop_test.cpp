@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files dropped on the window, as from a file manager: each does what its content says.
 #include "pipeline/base/files.h"
 #include "tests/app/app_test.h"

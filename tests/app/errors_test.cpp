@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What goes wrong is told and leaves the pictures as they were; what is mended goes on.
 #include <fstream>
 #include <thread>
@@ -132,7 +133,7 @@ TEST_F(AppErrors, broken_shader_names_file_and_line_and_mending_it_draws_again) 
   broken.replace(line, 22, "float sum = p.x + q.y;");
   write_file_atomically(shader, broken);
   const Json told = wait_for("a problem", [](const Json& now) { return !now["problems"].empty(); });
-  EXPECT_NE(first_problem(told).find("shaders/combine.frag:12"), std::string::npos) << told["problems"];
+  EXPECT_NE(first_problem(told).find("shaders/combine.frag:13"), std::string::npos) << told["problems"];
   EXPECT_EQ(told["pictures"], before["pictures"]);
   std::string mended = good;
   mended.replace(line, 22, "float sum = p.x + 2.0 * p.y;");

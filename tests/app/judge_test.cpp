@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Judging: live measures against a study's, the pinned state, lines over pictures.
 #include <fstream>
 #include <sstream>

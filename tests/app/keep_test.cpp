@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Keeping and moving: undo, presets, the session and what is left after a crash, opening and saving files,
 // views. All by mouse and keyboard.
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tuning: sliders, typing, resetting, searching, undoing.
 #include <cmath>
 

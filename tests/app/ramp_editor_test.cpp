@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Editing ramps on the ramp itself.
 #include <filesystem>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Studies from the window: sweeps, grids, running in the background, stopping, what is left behind.
 #include <fstream>
 #include <thread>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Looking: zoom, pan, filling the window, comparing, the camera, resizing, and that looking computes nothing.
 #include <cmath>
 

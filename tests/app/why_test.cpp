@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Asking why a pixel is a line: the mark, its keys, and numbers that are those of the picture.
 #include "tests/app/app_test.h"
 

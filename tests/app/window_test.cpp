@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The window itself: its first start, what it remembers, and that it sleeps when nothing happens.
 #include <chrono>
 #include <fstream>

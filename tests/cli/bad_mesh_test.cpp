@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes that are broken: what cannot be drawn is a clear error, what can be drawn is drawn and the rest is
 // noted.
 #include "pipeline/image/image_file.h"

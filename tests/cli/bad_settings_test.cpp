@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scene files, `--set` and `--size` that are wrong: one message with the place, the value and what would be
 // right.
 #include "tests/cli/cli_test.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/cli/cli_test.h"
 #include "tests/places.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the command line's tests share: a temporary folder for each test, `inkbench` run in it, and what a
 // success, a bad input and a failed piece of work look like from outside.
 #pragma once

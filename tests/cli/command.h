@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs a program as a user would and keeps what it left: status, output, errors, peak memory. In: a command
 // line and the conditions it runs under. Out: a CommandResult; a program that hangs is killed and says so.
 #pragma once

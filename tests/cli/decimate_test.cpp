@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `inkbench decimate`, and `mesh.faces` as a parameter and an axis.
 #include "pipeline/mesh/formats/mesh_file.h"
 #include "tests/cli/study_fixture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `explain`: the numbers are those of the picture, and what is no pixel is refused.
 #include <gmock/gmock.h>
 

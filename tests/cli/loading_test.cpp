@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is loaded when: OpenImageIO's 260 libraries only where an image is read or written.
 #include "tests/cli/cli_test.h"
 #include "tests/places.h"

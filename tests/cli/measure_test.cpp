@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `inkbench measure`: a drawing against its own reference lines, without a study.
 #include <nlohmann/json.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes that are no clean closed surface go through everything: decimation, reference lines, measured
 // studies, scores.
 #include "tests/cli/odd_meshes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/cli/odd_meshes.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes that are no clean closed surface, as files' content: what people load all the same.
 #pragma once
 

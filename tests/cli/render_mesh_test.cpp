@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `inkbench render --mesh` and the rabbit: another mesh stands where the main model stood, at the same size.
 #include <sstream>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `inkbench render`: the files it writes and that their pixels are what the settings say.
 #include <algorithm>
 #include <cmath>

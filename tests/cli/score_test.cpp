@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `inkbench score`: two line maps in, measures out.
 #include <fmt/format.h>
 

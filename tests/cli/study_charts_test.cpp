@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study's charts: what stands in its folder afterwards, that scripts run again, and that no chart costs the
 // study.
 #include <nlohmann/json.hpp>

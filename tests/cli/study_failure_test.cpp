@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Work that fails: a cell is recorded and the rest go on; a disk that is full or refuses loses nothing.
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/cli/study_fixture.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the tests of `inkbench study` share: a small scene, specs over it, data.csv read back, folders
 // compared.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study that was stopped, killed or tampered with continues where it stands and ends with the same bytes.
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Specs that are wrong: refused whole, before the first cell, with the line and what would be right.
 #include <nlohmann/json.hpp>
 

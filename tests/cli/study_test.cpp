@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `inkbench study`: what it leaves, and that each cell is base plus overrides.
 #include <fmt/format.h>
 

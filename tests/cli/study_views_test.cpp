@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Studies with several views: broken off and taken up again they end with the same bytes, and what they pool
 // is the sum of what each view gives alone, checked against `inkbench score`.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Help, version, wrong usage, and the commands that only print: params and info.
 #include <nlohmann/json.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the workbench window writes for the command line does there what it says: sweeps run unchanged, the
 // copied command draws the same settings, and both come back from the images that they leave.
 #include "app/workbench/opened_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small meshes as files' content, for tests that hand them to the program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A pass that only this file knows: one parameter, one buffer, one shader. Everything else finds it by
 // itself.
 #include <gtest/gtest.h>

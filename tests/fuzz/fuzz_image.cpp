@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bytes as image files read as line maps: nothing but an inkbench::Error may come out besides a map of the
 // image's size. The first byte chooses: the bytes are the file; patches to a good PNG or EXR; or the head and
 // the pixels of a PNG. Check sums of PNG chunks are put right, so that damage gets past them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bytes as the journal of a study: what a damaged one says is never trusted further than the files on the
 // disk bear it out. The first byte chooses: the bytes are the journal, or patches to a good one.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bytes as mesh files of every format and as raw polygons: nothing but an inkbench::Error may come out
 // besides a mesh that keeps its promises. The first byte chooses: a format, or the soup.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bytes as collapse record files, and as meshes to decimate: nothing unharmed may come out of harmed bytes,
 // and whatever is accepted must replay to sound meshes. The first byte chooses.
 #include <glm/vec3.hpp>

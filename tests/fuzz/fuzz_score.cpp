@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bytes as line maps, polylines and tolerances: every measure keeps its promises, and where a plain
 // definition is short enough it gives the same.
 #include <algorithm>

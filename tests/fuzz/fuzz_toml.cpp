@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bytes as a scene, as a study's spec and as a `--set`: nothing but an inkbench::Error may come out besides
 // settings that survive being written and read again. The first byte chooses.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A fuzz target's bytes as what the measures take: line maps of odd sizes, polylines, tolerances. In: bytes.
 // Out: a number for each question, a zero where the bytes end.
 #pragma once

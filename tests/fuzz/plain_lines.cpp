@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/fuzz/plain_lines.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Definitions of docs/measures.md written down as plainly as can be, for small maps: what a fuzz target
 // compares the measures with.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/gl/checks.h"
 
 #include <fmt/format.h>

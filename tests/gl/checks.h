@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the GL tests share: images to try, textures from images, comparisons that name the worst pixel,
 // temporary folders and environment variables.
 #pragma once

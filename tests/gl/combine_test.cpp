@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The combine pass against 3.4.4 on uploaded ranges.
 #include "pipeline/passes/edges/combine.h"
 

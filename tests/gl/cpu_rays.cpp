@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/gl/cpu_rays.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ray caster over exact shapes in double precision: what the G-buffer should hold at each pixel's centre
 // (3.4.1, 3.4.2). In: the settings' camera and models (no mesh files). Out: normal, depth and id maps.
 #pragma once

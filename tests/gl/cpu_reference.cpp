@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/gl/cpu_reference.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The edge passes and the ink in double precision, written from the paper's equations (3.4.3 to 3.5), not
 // from the shaders. In: maps. Out: what each pass should give; GL results are compared with it.
 #pragma once

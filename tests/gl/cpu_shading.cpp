@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/gl/cpu_shading.h"
 
 #include <algorithm>

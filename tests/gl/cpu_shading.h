@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Blinn-Phong light through ramps in double precision, written from the equations of 3.1 and 3.2.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The G-buffer against exact rays through the pixels' centres (3.4.1, 3.4.2).
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What belongs to an OpenGL context: textures for reuse, which pipelines do not take from each other, and
 // the empty vertex array. Targets that no renderer can draw into.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One OpenGL context for the whole run, made before the first test and given back after the last.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // No pass depends on OpenGL state that someone else left, such as a window's toolkit between two frames.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The gradient pass against 3.4.3 on uploaded maps.
 #include "pipeline/passes/edges/gradient.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Editing shaders while the program runs: what depends on the edit runs again; a broken edit keeps the last
 // good program.
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ TEST_F(HotReload, broken_edit_keeps_program_and_image_and_is_told_once) {
   const std::string good = folder_.read("combine.frag");
   folder_.edit("combine.frag", "float sum = p.x + p.y;", "float sum = p.x + q.y;");
   const std::string error = input_error_of([&] { pipeline_.reload_changed_shaders(); });
-  EXPECT_NE(error.find("shaders/combine.frag:12"), std::string::npos) << error;
+  EXPECT_NE(error.find("shaders/combine.frag:13"), std::string::npos) << error;
   EXPECT_NO_THROW(pipeline_.reload_changed_shaders());
   EXPECT_TRUE(is_near(draw(), before_, 0.0));
   EXPECT_EQ(ran_, Names{});
@@ -123,7 +124,7 @@ TEST_F(HotReload, edit_of_an_included_file_counts) {
 TEST_F(HotReload, broken_included_file_is_named) {
   folder_.edit("lib/draw_block.glsl", "float far;", "flaot far;");
   const std::string error = input_error_of([&] { pipeline_.reload_changed_shaders(); });
-  EXPECT_NE(error.find("shaders/lib/draw_block.glsl:7"), std::string::npos) << error;
+  EXPECT_NE(error.find("shaders/lib/draw_block.glsl:8"), std::string::npos) << error;
   EXPECT_TRUE(is_near(draw(), before_, 0.0));
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The ink pass against 3.5 on uploaded maps.
 #include "pipeline/passes/ink/ink.h"
 

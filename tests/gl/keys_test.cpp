@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What runs again after a change: what lies downstream of it and nothing else.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Facts about the paper's edge operator that people rely on when they choose k's, thresholds and formats:
 // each is true of the passes as they are, and docs may quote it.
 #include <gtest/gtest.h>

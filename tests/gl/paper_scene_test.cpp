@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole chain on the paper's scene, rabbit included: each buffer against the CPU reference of the buffers
 // before it.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sum behind a pixel, worked out beside the GPU, against what the GPU drew.
 #include "pipeline/passes/edges/paper_sum.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every parameter does something: changed from its value it changes a stage's key and an image; one of the
 // judge changes the key of the numbers, and the reference lines or a number. The test walks the descriptions,
 // so a parameter added tomorrow is tried without a line here.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures: raw values times a gain, clamped, at eight bits; object ids in colours of their own.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What eight bits do to the buffers, and that the same settings give the same bits.
 #include <gtest/gtest.h>
 

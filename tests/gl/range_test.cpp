@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The range pass against 3.4.4 on uploaded gradients.
 #include "pipeline/passes/edges/range.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reference lines with the pipeline's own depth and object-id buffers, and of the rabbit.
 #include <gtest/gtest.h>
 

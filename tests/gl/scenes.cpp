@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/gl/scenes.h"
 
 #include "pipeline/base/files.h"

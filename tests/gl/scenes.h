@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes for the GL tests.
 #pragma once
 

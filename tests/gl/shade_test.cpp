@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Light against the equations of 3.1 and 3.2 at the pixels' centres.
 #include <gtest/gtest.h>
 

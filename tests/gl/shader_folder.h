@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A copy of the project's files in a temporary folder that the program reads instead, to edit them in
 // tests.
 #pragma once

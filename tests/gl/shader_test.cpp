@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shaders that do not compile, include wrongly or read what nobody supplies: an input error that names file
 // and line.
 #include <gtest/gtest.h>

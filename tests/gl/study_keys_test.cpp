@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a further run of a study keeps, draws again and measures again, and which lines it looks for.
 #include <gtest/gtest.h>
 

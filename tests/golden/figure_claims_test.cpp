@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the paper says of its figures, held to in the figures' own studies at their own size (1024 x 1024).
 // Every test prints the numbers that docs/figures.md quotes.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The figures of studies/figures at 256 px, against tests/golden/reference. After a change that is meant to
 // alter them, look at the difference images that the failures name, then renew the references:
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two pictures compared with a maximum and a mean threshold, and the picture of where they differ.
 #pragma once
 

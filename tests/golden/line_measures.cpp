@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/golden/line_measures.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Simple measures of a drawing's ink, for holding the figures to what is said of them. Masks are 1-channel
 // pictures, not zero where something is; the published measures are those of studies/.
 #pragma once

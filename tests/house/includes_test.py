@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Every include goes with the direction of the house: a folder includes itself, what it needs (CMakeLists.txt), and
 what those need. No two files have one name.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Every source file says its licence in its first line, or in its second where the first has to be another.
 
     licence_test.py SOURCE_FOLDER

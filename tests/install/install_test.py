@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """What `cmake --install` leaves, moved elsewhere: install_test.py BUILD_FOLDER CONSUMER_FOLDER [unittest's arguments].
 
 The built tree is installed below the build folder and the prefix moved. Then the program runs from another folder, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A program that finds nothing of inkbench, linked as from a package: prints what is said of that.
 #include <cstdio>
 

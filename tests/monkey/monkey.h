@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Random mouse and keyboard events from a seed: most of them on widgets, some anywhere. In: the window's
 // state. Out: a script for xdotool, one event a line.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Random events: no crash, no OpenGL error, no memory that grows. INKBENCH_MONKEY_EVENTS and
 // INKBENCH_MONKEY_SEED choose how many (./check --all: ten thousand) and which; a failure names the seed and
 // shows the last events.

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """The report page in headless Chromium: page_test.py INKBENCH SAMPLE_PAGES [unittest's arguments].
 
 A small real study and sample pages are written into a temporary folder and opened by file://.

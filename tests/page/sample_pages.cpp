@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writes report pages that no bundled study has: `sample_pages full FOLDER` one with everything (three axes,
 // two views, reference lines, charts, failed and missing cells, texts that try to break out);
 // `sample_pages large FOLDER` one of 10,000 cells.

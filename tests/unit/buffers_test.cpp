@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Buffers by name.
 #include "pipeline/buffers.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Camera matrices against values worked out by hand.
 #include "pipeline/settings/camera.h"
 

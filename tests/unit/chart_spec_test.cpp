@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // [[chart]] in a study's spec: what is left out is filled in from the columns; what data.csv cannot fill is
 // an error with file and line.
 #include <gmock/gmock.h>

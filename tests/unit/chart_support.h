@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the tests of charts share: columns and tables written down shortly.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Charts up to gnuplot: which rows and points a chart shows, how axes and text are made, what the script
 // says.
 #include "studies/report/chart.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a build's source hash looks at: code, and nothing else.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The record as such, its file, and the cache under damage and races.
 #include "pipeline/mesh/levels/collapse_record_file.h"
 

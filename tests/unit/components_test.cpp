@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Components and ends against flood filling and counting.
 #include "studies/measures/components.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rows of CSV: quoted where RFC 4180 asks for it, and only there.
 #include "studies/report/csv.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the decimation promises at every level, on the rabbit, on built-in shapes and on defective meshes.
 #include "pipeline/mesh/levels/decimation.h"
 #include "pipeline/mesh/normals.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Distances against comparing every pixel with every other.
 #include "studies/measures/distance.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A disk that is full, for tests of writing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files read whole and written all or nothing.
 #include "pipeline/base/files.h"
 

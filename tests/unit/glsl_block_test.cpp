@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Uniform blocks: the bytes lie where std140 puts the members that the GLSL text declares.
 #include "pipeline/params/glsl_block.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // gnuplot as a program: charts of odd tables are drawn without a word, bad endings are told, text is never
 // run.
 #include "studies/report/gnuplot.h"

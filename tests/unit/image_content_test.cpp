@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is seen of an image file before it is decoded: its format, whether it is whole, whether its size can
 // be.
 #include "pipeline/image/image_content.h"

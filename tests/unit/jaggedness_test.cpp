@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Offsets along polylines against sampling the ink finely, and against lines whose offsets are known.
 #include "studies/measures/jaggedness.h"
 

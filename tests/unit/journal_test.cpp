@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The journal: whole lines are read, damaged ones are not, and files count only as long as they are
 // unchanged.
 #include "studies/sweep/journal.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/sweep/kept_picture.h"
 
 #include <gtest/gtest.h>

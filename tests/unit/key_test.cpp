@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Keys: what differs gets another key, whichever way it is cut into parts.
 #include "pipeline/base/key.h"
 

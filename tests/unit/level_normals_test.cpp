@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Smooth, flat and nearest normals of levels.
 #include "pipeline/mesh/levels/level_normals.h"
 

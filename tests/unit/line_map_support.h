@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Line maps to test with: drawn by hand, or random.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The matching against Kuhn's algorithm on a list of all edges.
 #include "studies/measures/matching.h"
 

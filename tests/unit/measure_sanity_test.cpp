@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sanity matrix: a small synthetic drawing with one defect at a time. F alone cannot tell the defects
 // apart; each must move its own measure and leave the others nearly where they were.
 #include <gtest/gtest.h>

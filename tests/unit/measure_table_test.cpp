@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table of measures: whole rows, and what they make a meter find out.
 #include <gtest/gtest.h>
 

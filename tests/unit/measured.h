@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The measures of line maps by their keys, for tests.
 #pragma once
 

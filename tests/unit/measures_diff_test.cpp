@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The picture of what is right, missed and false.
 #include "studies/measures/diff_picture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Line maps: from pictures and files, their border, and the bits past the width.
 #include "pipeline/lines/line_map.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole set of measures against their definitions written down plainly, and the conventions for empty
 // maps, tiers and pooling.
 

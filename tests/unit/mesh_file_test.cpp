@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mesh files, good and bad, through the whole loader: every defect is named, nothing crashes or hangs.
 #include "pipeline/mesh/formats/mesh_file.h"
 

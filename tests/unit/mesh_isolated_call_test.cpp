@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The child process in which foreign readers run: whatever happens there is an answer here.
 #include <gtest/gtest.h>
 #include <unistd.h>

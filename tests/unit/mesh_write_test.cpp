@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Written meshes read back equal.
 #include "pipeline/mesh/formats/mesh_write.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where models stand, and which mesh they draw.
 #include "pipeline/settings/model.h"
 #include "pipeline/mesh/levels/model_mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sum behind a pixel: worked out by hand, and against the equations on noise. The GPU's numbers:
 // tests/gl/paper_sum_test.cpp.
 #include "pipeline/passes/edges/paper_sum.h"

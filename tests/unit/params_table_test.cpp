@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table of all parameters.
 #include "pipeline/settings/params_table.h"
 

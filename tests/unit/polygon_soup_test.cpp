@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From raw polygons to the drawable mesh, its normals and bounds, and the way through the pipe.
 #include "pipeline/mesh/polygon_soup.h"
 #include "pipeline/mesh/normals.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The built-in shapes against their analytic volume, area, normals and topology.
 #include "pipeline/mesh/shapes/primitives.h"
 

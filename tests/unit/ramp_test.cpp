@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ramps: exact at their stops, constant outside, stepped or smooth between.
 #include "pipeline/settings/ramp.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Links joined to chains.
 #include "pipeline/lines/chain.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Maps, picture and SVG of reference lines.
 #include "pipeline/lines/drawing.h"
 

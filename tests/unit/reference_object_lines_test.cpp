@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines between objects, by small images.
 #include "pipeline/lines/object_lines.h"
 

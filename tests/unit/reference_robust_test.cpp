@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reference lines of meshes that nobody would make on purpose.
 #include <gtest/gtest.h>
 

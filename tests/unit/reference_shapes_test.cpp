@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reference lines of shapes whose lines are known exactly, tier 1.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Curvature and lines of tier 2 on surfaces where they are known.
 #include <gtest/gtest.h>
 

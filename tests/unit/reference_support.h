@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What tests of reference lines share: a scene of meshes, and a small rasteriser in double precision that
 // gives its depth and object-id buffers without OpenGL.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edges and their faces, and the classes of lines along them, before any view.
 #include "pipeline/lines/topology.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Projection, clipping and the depth test, by hand-made buffers.
 #include "pipeline/lines/visibility.h"
 

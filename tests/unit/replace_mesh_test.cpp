@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Another mesh in the place of the main model: as large as the old one and on the same spot.
 #include "pipeline/mesh/levels/replace_mesh.h"
 #include "pipeline/mesh/levels/model_mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An STL repeats its corners facet by facet. Where it rounds them anew each time, its surface must still
 // close.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Folders that disappear with the object that made them.
 #include "pipeline/base/scratch_folder.h"
 

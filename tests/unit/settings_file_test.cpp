@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scene files: what they say is what the settings are; what they cannot say is an error with file and line.
 #include "pipeline/settings/settings_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The description of all parameters, and finding and setting them by key.
 #include "pipeline/settings/settings.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Study specs: what a spec says is which cells there are; what it cannot say is an error with file and line.
 #include "studies/sweep/spec.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study's folder: what is kept of an earlier run, and how data.csv grows.
 #include "studies/sweep/study_folder.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Loop's subdivision: its weights, its counts, and the meshes that OpenMesh alone would get wrong.
 #include "pipeline/mesh/levels/subdivide.h"
 

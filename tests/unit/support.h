@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What unit tests share: a folder that disappears with the test, and the text of an expected error.
 #pragma once
 

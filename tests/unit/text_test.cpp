@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers that read back exactly, counts with commas, lists, and the nearest name.
 #include "pipeline/base/text.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Thinning against Guo and Hall's conditions, written down pixel by pixel.
 #include "studies/measures/thinning.h"
 

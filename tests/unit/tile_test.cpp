@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "studies/report/grid_tile.h"
 
 #include <gtest/gtest.h>

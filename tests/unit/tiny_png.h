@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PNG files of any bit depth and colour type, byte by byte: apart from the writer's code, which tests compare
 // with them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // TOML documents as trees with line numbers.
 #include "pipeline/params/toml_document.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Values and their text: every type reads back as written, and nothing that a parameter does not accept gets
 // in.
 #include "pipeline/params/toml_value.h"

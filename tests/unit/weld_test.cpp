@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Welding within a tolerance, and cutting into manifold pieces.
 #include "pipeline/mesh/weld.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pool: all work is done once, the queue stays short, waiting means waiting.
 #include "studies/sweep/worker_pool.h"
 

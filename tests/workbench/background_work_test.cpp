@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Work beside the window: asked for by name, once each; one flag says that something is there.
 #include "app/workbench/background_work.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The mouse on camera and lights: what must stay where it is stays, and nothing flips.
 #include "app/workbench/camera_control.h"
 

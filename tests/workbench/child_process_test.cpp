@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A program beside us: what it writes arrives line by line, and nothing of it is left behind.
 #include "app/workbench/child_process.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The document: what changes it, what is refused, what undo brings back, what it is compared with.
 #include "app/workbench/document.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Opening files: what each kind does to the document, who is handed the rest, what a bad file leaves alone.
 #include "app/workbench/file_opener.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Folders as a file chooser lists them, and paths as people type them.
 #include "app/workbench/folder_listing.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Undo and redo: every change comes back exactly; an edit is one step; memory stays bounded.
 #include "app/workbench/history.h"
 

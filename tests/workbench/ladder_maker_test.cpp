@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ladders made beside the window.
 #include "app/workbench/ladder_maker.h"
 

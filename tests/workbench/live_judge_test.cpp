@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Measuring in the background: the same numbers as in the foreground, the newest request wins, nothing
 // blocks.
 #include "app/workbench/live_judge.h"

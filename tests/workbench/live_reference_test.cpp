@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reference lines found beside the window: the same lines as in the foreground, kept parts, stopping.
 #include "app/workbench/live_reference.h"
 #include "pipeline/mesh/levels/model_mesh.h"

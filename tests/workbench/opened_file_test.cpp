@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ramp files, and what a dropped file is: told by content, with an error that helps where it is nothing.
 #include "app/workbench/opened_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Differences between settings: every parameter is seen, and a list of changes leads from one to the other.
 #include "app/workbench/param_changes.h"
 

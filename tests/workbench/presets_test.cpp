@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Presets: what is saved comes back equal; bad names and bad files are errors that leave the rest alone.
 #include "app/workbench/presets.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Editing ramps: stops keep their order, and each operation changes just what it says.
 #include "app/workbench/ramp_edit.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The command line of the settings: what a shell makes of it, read back, gives equal settings.
 #include "app/workbench/render_command_text.h"
 

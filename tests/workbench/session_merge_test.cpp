@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lists that two windows changed: nothing that either added is lost.
 #include "app/workbench/session_merge.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sessions on the disk: clean exits, crashes, damaged files, several windows at once.
 #include "app/workbench/session_store.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A session as text: it comes back equal, and what is broken in it is named by line.
 #include "app/workbench/session.h"
 

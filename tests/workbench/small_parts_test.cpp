@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Durations, places in messages, and the list of studies that ran.
 #include "app/workbench/duration_text.h"
 #include "app/workbench/place_in_text.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The form of a study: names that are free, a spec that runs, problems that say where they are.
 #include "app/workbench/study_form.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Studies one after the other, with a script in the place of the program: progress, errors, stopping.
 #include "app/workbench/study_queue.h"
 

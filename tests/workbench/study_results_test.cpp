@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study's folder as it is while cells end, and when it is damaged.
 #include "app/workbench/study_results.h"
 

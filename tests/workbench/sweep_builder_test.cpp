@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sweeps as specs: parsed again, each cell has the very settings of the window but for what is swept.
 #include "app/workbench/sweep_builder.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Counting a buffer's values into bins, and how high the bars are.
 #include "app/workbench/value_histogram.h"
 

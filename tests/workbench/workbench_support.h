@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What workbench tests share: scenes without files beyond the project's own.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Edit menu: undo, the clipboard, resetting.
 #pragma once
 

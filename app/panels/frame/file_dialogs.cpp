@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/file_dialogs.h"
 
 #include <fmt/format.h>

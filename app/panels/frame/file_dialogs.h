@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the File menu asks about files: opening one, saving the settings or a picture. Each does what the
 // command line does with the same file.
 #pragma once

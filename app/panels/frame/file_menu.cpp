@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/file_menu.h"
 
 #include <imgui.h>

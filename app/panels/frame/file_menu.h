@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The File menu: opening, recent files, scenes, saving, shaders.
 #pragma once
 

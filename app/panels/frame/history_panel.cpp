@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/history_panel.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel of the history: every step by its name; a click goes to it.
 #pragma once
 

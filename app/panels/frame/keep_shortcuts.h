@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The keys of what is kept: undo, files, views.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/keys_page.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The page of keys and mouse: shown at the first start, and by F1.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel on the left: parameters, presets, the history or cameras, chosen by tabs in its heading.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel of the log: messages with their time, filtered, copied.
 #pragma once
 

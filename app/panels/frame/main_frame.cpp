@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/main_frame.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole window: its panels, each made with the parts that it uses, where they are, the dividers between
 // them, and each panel's turn.
 #pragma once

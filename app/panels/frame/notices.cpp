@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/notices.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The question about unsaved work and the problems, laid over the pictures so that these stay where they are.
 #pragma once
 

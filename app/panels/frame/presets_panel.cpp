@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/presets_panel.h"
 
 #include <imgui.h>

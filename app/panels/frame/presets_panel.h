@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel of presets: save, load, replace, delete, and what differs between now and one of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/restore_bar.h"
 
 #include <fmt/chrono.h>

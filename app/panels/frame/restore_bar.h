@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The question about unsaved work of a window that died; nothing waits for its answer.
 #pragma once
 

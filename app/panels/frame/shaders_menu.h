@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the shaders are: the window takes them in whenever an editor saves one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/shortcuts.h"
 
 #include <GLFW/glfw3.h>

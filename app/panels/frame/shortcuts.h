@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What keys do, wherever the mouse is.
 #pragma once
 

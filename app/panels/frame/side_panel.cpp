@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/side_panel.h"
 
 #include <imgui.h>

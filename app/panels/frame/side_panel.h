@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel beside the pictures: the inspector and the judge, one at a time.
 #pragma once
 

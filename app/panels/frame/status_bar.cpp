@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/status_bar.h"
 
 #include <fmt/format.h>

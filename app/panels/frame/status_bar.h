@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The line at the bottom: scene, size, zoom, renderer, how long a frame takes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/timings.h"
 
 #include <fmt/format.h>

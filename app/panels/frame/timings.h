@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel of timings: each pass, its GPU time, and whether it ran or was reused.
 #pragma once
 

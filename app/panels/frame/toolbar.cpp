@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/frame/toolbar.h"
 
 #include <imgui.h>

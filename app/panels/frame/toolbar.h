@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The row above the pictures: which buffers, comparing, pinning, what the mouse does, zoom.
 #pragma once
 

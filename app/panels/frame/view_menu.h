@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The View menu: panels, pinning and comparing, what is laid over the pictures, the look of the window.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/judge/judge_view.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel that judges the drawn lines against the reference lines: the measures of a study, live, and how
 // they differ from the pinned state's.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/parameters/light_ball.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ball that shows where a light comes from, and that is turned to move it.
 #pragma once
 

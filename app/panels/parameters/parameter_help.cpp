@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/parameters/parameter_help.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What hovering a parameter says: key, meaning, unit, limits, what it was, what makes it matter.
 #pragma once
 

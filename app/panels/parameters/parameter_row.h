@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One parameter as a row: a mark where it was changed, its name, and the editor that its description asks
 // for.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/parameters/parameters.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel of parameters: every one that the descriptions list, by group, with a search box over all.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/parameters/ramp_editor.h"
 
 #include <GLFW/glfw3.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel that edits the lighting ramps by their stops; the pictures follow while a stop is dragged. It
 // lists whatever parameters are ramps.
 #pragma once

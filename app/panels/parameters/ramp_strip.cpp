@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/parameters/ramp_strip.h"
 
 #include <algorithm>

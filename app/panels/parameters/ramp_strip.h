@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ramp as a wide strip with its stops below it, to be dragged. In: a ramp. Out: what the person made of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/parameters/sweep_menu.h"
 
 #include <imgui.h>

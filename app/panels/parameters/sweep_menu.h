@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // "Sweep this" in a parameter's menu, and the key for it.
 #pragma once
 

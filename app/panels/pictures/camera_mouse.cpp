@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/pictures/camera_mouse.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Moving the camera with the mouse on a picture.
 #pragma once
 

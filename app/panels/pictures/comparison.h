@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two pictures in one place: both sides of a line that can be dragged, or one at a time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/pictures/contact_sheet.h"
 
 #include <imgui.h>

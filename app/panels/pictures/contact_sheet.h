@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The middle of the window: all buffers side by side, one that fills it, or two compared.
 #pragma once
 

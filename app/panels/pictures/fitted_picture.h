@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A picture in a rectangle, as large as it fits.
 #pragma once
 

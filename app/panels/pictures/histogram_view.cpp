@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/pictures/histogram_view.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How often values occur in the selected buffer, with what is shown as black and as white: two marks to drag.
 #pragma once
 

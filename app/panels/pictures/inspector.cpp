@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/pictures/inspector.h"
 
 #include <fmt/format.h>

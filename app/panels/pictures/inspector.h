@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel beside the pictures: the selected buffer, how it is shown, and each buffer's value under the
 // mouse.
 #pragma once

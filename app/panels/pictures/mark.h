@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pixel that is asked about: marking it with the mouse, moving it with the keys, showing it on a picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/pictures/overlay_legend.h"
 
 #include <algorithm>

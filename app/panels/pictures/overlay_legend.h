@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines laid over the pictures: choosing them, and what their colours mean.
 #pragma once
 

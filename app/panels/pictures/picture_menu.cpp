@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/pictures/picture_menu.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a right click on a picture offers.
 #pragma once
 

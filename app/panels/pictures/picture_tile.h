@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One picture in the window: drawn at its tile's size, with the mouse's zoom, pan and camera on it.
 #pragma once
 

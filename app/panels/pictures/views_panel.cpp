@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/pictures/views_panel.h"
 
 #include <fmt/format.h>

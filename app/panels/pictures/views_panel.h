@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panel of views: cameras kept by name and key, usual directions, fitting to scene and model.
 #pragma once
 

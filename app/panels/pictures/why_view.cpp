@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/pictures/why_view.h"
 
 #include <imgui.h>

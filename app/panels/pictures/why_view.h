@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why the marked pixel is or is not a line: a sentence, the sum against the threshold, and what each term is
 // made of.
 #pragma once

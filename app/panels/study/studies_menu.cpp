@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/study/studies_menu.h"
 
 #include <imgui.h>

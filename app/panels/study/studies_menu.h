@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The menu of studies: new ones, those that come with the program, any spec file or folder of results.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/study/studies_page.h"
 
 #include <imgui.h>

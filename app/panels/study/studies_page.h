@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The page of studies, in the place of the pictures: a list on the left, beside it the form of a new study or
 // the grid of one that runs or ran.
 #pragma once

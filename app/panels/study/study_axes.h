@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The axes of a study's form: which parameter, from where to where, in how many steps.
 #pragma once
 

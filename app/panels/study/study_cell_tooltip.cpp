@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/study/study_cell_tooltip.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a study's cell is, beside the mouse: its parameters, its numbers, a larger picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/study/study_chart_view.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A finished study's charts, one below the other. In: their files. Out: which one was pressed.
 #pragma once
 

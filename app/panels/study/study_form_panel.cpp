@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/study/study_form_panel.h"
 
 #include <fmt/format.h>

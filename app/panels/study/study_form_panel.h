@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The form of a study: what to sweep and show, beside it the spec that comes of it, as text that can be
 // written by hand as well.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where a study's cells stand in the window. In: its results, what of them is wanted, the room. Out: the size
 // and place of cells, labels and captions.
 #pragma once

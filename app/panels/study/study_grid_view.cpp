@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/study/study_grid_view.h"
 
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A study's cells in rows and columns as large as the room allows, or larger and scrolled. In: results. Out:
 // which cell the mouse is on or pressed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/study/study_list.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The list of studies: what runs, what waits, what ran, newest first.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/study/study_results_panel.h"
 
 #include <fmt/format.h>

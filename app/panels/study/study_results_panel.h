@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The grid and the charts of a study that runs or ran: looked at, measured by eye, and a cell's parameters
 // taken over.
 #pragma once

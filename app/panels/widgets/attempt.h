@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Doing what a person asked for where it may fail: the reason is shown, and nothing else happens.
 #pragma once
 

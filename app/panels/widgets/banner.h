@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What stands in the way, across the top of the pictures: what it is, and a way back.
 #pragma once
 

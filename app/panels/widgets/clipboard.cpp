@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/widgets/clipboard.h"
 
 #include <imgui.h>

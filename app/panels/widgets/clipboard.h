@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the clipboard carries to other programs and back: commands and settings as text.
 #pragma once
 

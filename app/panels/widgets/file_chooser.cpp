@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/widgets/file_chooser.h"
 
 #include <imgui.h>

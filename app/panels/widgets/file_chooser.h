@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Choosing a file inside the window: places on the left, a folder's files, a path to type. In: what is asked
 // for. Out: the path, once it is chosen.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/widgets/file_question.h"
 
 #include <imgui.h>

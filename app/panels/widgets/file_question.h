@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A question for a file's name, over the whole window.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which item the mouse rests on, and since when.
 #include "app/panels/widgets/hover.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether a tooltip is about to appear, so that the window draws a frame for it though nothing else happens.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/widgets/letter_key.h"
 
 #include <GLFW/glfw3.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Letter keys by what is printed on them.
 #pragma once
 

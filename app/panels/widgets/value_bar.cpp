@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/widgets/value_bar.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A number to drag, type or reset: a bar filled up to the value on its scale. In: the number and its
 // description. Out: what the person did with it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "app/panels/widgets/widgets.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small parts that several panels draw with ImGui.
 #pragma once
 

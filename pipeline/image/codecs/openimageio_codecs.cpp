@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The module that holds OpenImageIO: see image_codecs.h.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

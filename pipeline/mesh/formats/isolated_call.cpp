@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/formats/isolated_call.h"
 
 #include <fcntl.h>

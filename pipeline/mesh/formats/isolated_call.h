@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs a function in a forked child process under limits on time and memory, and hands its bytes back. For
 // code that may crash, hang or eat memory on bad input (OpenMesh's readers): the harm ends with the child.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/formats/mesh_file.h"
 
 #include <fmt/format.h>

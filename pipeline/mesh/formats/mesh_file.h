@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mesh files to meshes: OBJ, PLY, OFF and STL through OpenMesh's readers. In: a path. Out: a drawable mesh
 // with unit normals and notes on every defect. The way: raw bytes -> plain form (mesh_source) -> OpenMesh in
 // a child process (mesh_reader, isolated_call) -> polygon soup -> mesh.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/formats/mesh_reader.h"
 
 #include <OpenMesh/Core/IO/MeshIO.hh>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // OpenMesh's readers: from a file's plain form to a polygon soup.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A mesh file checked and reduced to its plain form before OpenMesh sees it: only points, normals and faces,
 // every number readable, as many as announced. In: a file's raw bytes. Out: bytes for OpenMesh. This is
 // where junk and truncation are found, because OpenMesh's readers loop, crash or go on with stale values when

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Wavefront OBJ: keeps `v`, `vn` and `f` lines, the latter as "point" or "point//normal".
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Object File Format, the text kind: OFF and its variants with normals (N), colours (C) and texture
 // coordinates (ST). Keeps points, normals and faces; colours and comments go. The plain form is ASCII PLY,
 // because OpenMesh's OFF reader overlooks normals when it reads from a stream.

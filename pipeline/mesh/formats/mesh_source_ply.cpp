@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PLY, ASCII and binary. Walks every element as the header describes it, so that the announced counts are
 // compared with what is really there; keeps coordinates, normals and face corners.
 #include <fmt/format.h>

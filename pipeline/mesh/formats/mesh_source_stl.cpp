@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // STL, ASCII and binary. Keeps the corners; stored facet normals go, since they repeat the corners' order.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Walking a text mesh file by lines and tokens, and copying its numbers so that OpenMesh reads every one of
 // them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes to files, with positions and normals. What is written reads back equal through `load_mesh_file`.
 #pragma once
 

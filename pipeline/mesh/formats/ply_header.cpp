@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/formats/ply_header.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The header of a PLY file: which elements and properties follow, and in which encoding.
 #pragma once
 

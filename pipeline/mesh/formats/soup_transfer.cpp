@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/formats/soup_transfer.h"
 
 #include <array>

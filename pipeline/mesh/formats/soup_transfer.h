@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A polygon soup as flat bytes, to cross the pipe from a reading child process.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/levels/collapse_record.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a decimation did, step by step, so that every face count is a replay of a prefix. In: a mesh and the
 // record of its collapses (`record_collapses` makes it). Out: the mesh at any face count, in milliseconds.
 #pragma once

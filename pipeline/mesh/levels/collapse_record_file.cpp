@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/levels/collapse_record_file.h"
 
 #include <array>

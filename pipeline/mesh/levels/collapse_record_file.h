@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Collapse records on disk, by the content of their mesh. In: a mesh. Out: its record, read where an earlier
 // run left it, else made and left for the next.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one file that sees OpenMesh's decimater. OpenMesh gives the half-edges, the collapse and its legality;
 // the quadrics and the loop are ours, for two reasons that measuring showed. `DecimaterT` asks every module
 // about every half-edge and keeps the best: here the cheap question (the error) sorts the half-edges and the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Decimation by OpenMesh with quadrics, once per mesh and down to its minimum. In: a mesh, however defective.
 // Out: the record of its collapses, from which `mesh_at_level` makes any face count.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/levels/level_normals.h"
 
 #include <glm/geometric.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The vertex normals of a decimated or subdivided mesh. In: the level and the full mesh it comes from. Out:
 // the level with normals of the chosen kind.
 #pragma once

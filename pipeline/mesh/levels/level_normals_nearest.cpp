@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/levels/level_normals_nearest.h"
 
 #include <algorithm>

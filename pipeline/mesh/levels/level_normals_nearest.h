@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The normal of a surface at the point nearest to any given one. In: the full mesh. Out: what a game artist
 // bakes onto its levels.
 #pragma once

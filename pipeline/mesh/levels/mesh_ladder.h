@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All levels of a model's mesh: the full mesh and, once a level is asked for, the record of its collapses.
 // In: a model's shape or file. Out: the mesh of any level, in milliseconds. Meshes are shared, since they
 // live in more than one place and may be large.

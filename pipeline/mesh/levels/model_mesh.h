@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A model's mesh, and its place in the world. In: a model's parameters. Out: its mesh as loaded or made; the
 // matrix from the mesh's space to the world's.
 #pragma once

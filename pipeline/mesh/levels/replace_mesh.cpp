@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/levels/replace_mesh.h"
 
 #include <algorithm>

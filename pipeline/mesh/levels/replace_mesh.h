@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Another mesh in the place of a scene's main model: what `--mesh` and a dropped file do.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/levels/subdivide.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

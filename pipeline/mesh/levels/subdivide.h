@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Smoother meshes than the original: Loop's subdivision by OpenMesh. In: a mesh. Out: one of four times the
 // faces for each round.
 #pragma once

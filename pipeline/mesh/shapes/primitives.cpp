@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/mesh/shapes/primitives.h"
 
 #include <algorithm>

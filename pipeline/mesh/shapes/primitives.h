@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Built-in shapes with adjustable tessellation, centred at the origin, faces counter-clockwise from outside
 // (from inside for the inside-out sphere), normals exact for the shape that they approximate. Neighbouring
 // triangles share vertices wherever the normal is continuous. `segments` is 1 or more.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rounded box: eight eighths of a sphere, twelve quarter cylinders between them and six flat sides. All
 // share their border vertices, since the normal is continuous everywhere.
 #include <array>

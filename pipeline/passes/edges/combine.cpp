@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/passes/edges/combine.h"
 
 #include "pipeline/flow/describe_pass.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Combined edges: both terms, their sum against the threshold (3.4.4).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What finds lines in an image: maps in, their strength and class out, and for any pixel why. Detectors are
 // listed here; each is a file of its own beside the passes that it runs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Why a pixel is a line or not, as data that any edge detector gives and that the window and the command line
 // show: the terms of its decision, each with what it was made from.
 #pragma once

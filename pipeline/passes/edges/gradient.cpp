@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/passes/edges/gradient.h"
 
 #include "pipeline/flow/describe_pass.h"

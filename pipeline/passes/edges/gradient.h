@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Gradients of the depth and normal maps by the paper's improved Sobel filter (3.4.3).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/passes/edges/paper_sum.h"
 
 #include <fmt/format.h>

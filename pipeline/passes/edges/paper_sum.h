@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The paper's decision worked out beside the GPU: the sum that decided a pixel of `combined_edges`, term by
 // term, and which neighbours made it (3.4.4). In: raw buffers and the combine parameters. Out: numbers, and
 // the same in words.

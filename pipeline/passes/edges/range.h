@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // gmax - gmin in the 3 x 3 region around each pixel (3.4.4).
 #pragma once
 

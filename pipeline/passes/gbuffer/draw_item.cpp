@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/passes/gbuffer/draw_item.h"
 
 #include <glm/common.hpp>

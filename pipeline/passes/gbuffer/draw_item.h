@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A model where it stands: what the G-buffer and the wireframe draw.
 #pragma once
 

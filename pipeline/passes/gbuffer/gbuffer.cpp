@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/passes/gbuffer/gbuffer.h"
 
 #include <array>

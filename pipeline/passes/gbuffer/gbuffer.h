@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // G-buffer: draws all models once; out come the normal and depth maps (3.4.1, 3.4.2) and object ids.
 #pragma once
 

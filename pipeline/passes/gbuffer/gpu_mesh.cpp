@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/passes/gbuffer/gpu_mesh.h"
 
 #include <fmt/format.h>

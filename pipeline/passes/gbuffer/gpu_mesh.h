@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes on the GPU and in memory, loaded once for as long as the settings use them.
 #pragma once
 

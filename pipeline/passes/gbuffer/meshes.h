@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes: what the G-buffer draws, read, decimated and uploaded. In: the models' shapes and files, the main
 // model's level. Out: a mesh on the GPU for each visible model.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The normal and depth maps at eight bits, for `image.precision = "unorm8"`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/passes/ink/ink.h"
 
 #include "pipeline/flow/describe_pass.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ink over the shading: the final image (3.5).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/passes/light/shade.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Light: Blinn-Phong through the ramps, from the G-buffer (3.1, 3.2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reference lines: the lines in object space that a perfect edge filter would draw, as a pass. In: the
 // meshes, the G-buffer. Out: the visible lines by class.
 #pragma once

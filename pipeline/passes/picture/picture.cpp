@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/passes/picture/picture.h"
 
 #include "pipeline/gl/framebuffer.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Buffers as 8-bit pictures, with the display gains.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the page knows, and helpers that every part uses.
 
 const study = JSON.parse(document.getElementById("study").textContent);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The grid: a table of columns and rows with headers that stay in sight, or named cells in lines. Lines are
 // filled when they come near the window, so that thousands of cells cost little.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What stands above the grid: pages as tabs, which pictures, which number, how large.
 
 function drawTabs() {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Buttons and keys of the viewer, and the list of keys.
 
 const kKeys = [

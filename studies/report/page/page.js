@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Starts the page; links within it; copying; printing.
 
 async function copyCommand() {

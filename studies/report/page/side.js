@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Around the pictures in the viewer: title, which of A and B is shown, place in the grid, parameters, numbers.
 
 function announce(text) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table: every row of data.csv, sorted by any column. Of many rows only those in sight are in the page.
 
 const tableBox = byId("table-box");

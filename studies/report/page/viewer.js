@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The viewer: one cell's pictures at full size, side by side, with its numbers; a second cell (A) to flip to.
 // Pictures of both cells lie over each other in every pane, so that a flip only changes which one is on top.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Zoom and pan, the same for every picture in the viewer: a scale and the point of the picture in the middle.
 
 const zoom = {

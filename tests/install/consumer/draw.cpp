@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A program outside the tree that draws: prints width, height and channels of a bundled scene's raw final
 // image.
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A program outside the tree that reads a bundled study: prints its cells' count, and where the package's
 // files are.
 #include <cstdio>
