@@ -79,6 +79,18 @@ void unchanged(benchmark::State& state) {
   time_change(state, [](Settings&, int) {});
 }
 
+/// All textures' pictures of a frame that did not change: what the window asks for each time it draws itself.
+void unchanged_pictures(benchmark::State& state) {
+  const Frame frame = bench().pipeline.at(prepare(state));
+  const auto show = [&] {
+    for (const BufferName buffer : all_buffers()) {
+      if (buffer.info().shown_as != ShownAs::drawing) frame.picture_texture(buffer);
+    }
+  };
+  show();
+  for ([[maybe_unused]] auto _ : state) show();
+}
+
 /// A k change, read back, encoded and written: what a cell of a k sweep costs without any overlap.
 void study_cell(benchmark::State& state) {
   Settings& settings = prepare(state);
@@ -107,6 +119,7 @@ BENCHMARK(k_change)->Apply(sizes);
 BENCHMARK(ramp_change)->Apply(sizes);
 BENCHMARK(camera_change)->Apply(sizes);
 BENCHMARK(unchanged)->Apply(sizes);
+BENCHMARK(unchanged_pictures)->Apply(sizes);
 BENCHMARK(study_cell)->Apply(sizes);
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/base/text.h"
+#include "pipeline/buffers.h"
 #include "pipeline/pass_list.h"
 
 namespace inkbench {
@@ -61,6 +62,17 @@ std::string markdown_table() {
   return text;
 }
 
+/// Of all buffers, in the order in which people see them.
+std::string buffer_table() {
+  std::string text = "\n| buffer | key | channels | what it shows |\n|---|---|---|---|\n";
+  for (const BufferName buffer : all_buffers()) {
+    const BufferInfo& info = buffer.info();
+    const std::string key = info.number_key < 0 ? "" : std::to_string(info.number_key);
+    text += fmt::format("| `{}` | {} | {} | {} |\n", info.name, key, info.channels, info.help);
+  }
+  return text;
+}
+
 /// Parameters are ellipses, passes boxes, buffers plain.
 std::string dot_graph() {
   std::string text =
@@ -97,7 +109,7 @@ std::string passes_table(PassesFormat format) {
     case PassesFormat::text:
       return text_table();
     case PassesFormat::markdown:
-      return markdown_table();
+      return markdown_table() + buffer_table();
     case PassesFormat::dot:
       return dot_graph();
   }

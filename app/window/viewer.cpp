@@ -5,7 +5,6 @@
 
 #include "app/window/listed_buffers.h"
 #include "pipeline/base/error.h"
-#include "pipeline/passes/edges/edge_detector.h"
 #include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
@@ -78,7 +77,7 @@ void Viewer::refresh() {
 }
 
 const Explanation& Viewer::explain(int x, int y) {
-  const Key edges = drawn_->key(edge_detector(drawn_->settings()).strength());
+  const Key edges = drawn_->key(drawn_->lines());
   const Key key = KeyBuilder().add(edges).add(std::to_string(x)).add(std::to_string(y)).key();
   if (key == explained_) return explanation_;
   explanation_ = explain_pixel(*drawn_, x, y);

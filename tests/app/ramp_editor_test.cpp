@@ -32,6 +32,17 @@ class AppRamps : public AppTest {
   }
 };
 
+TEST_F(AppRamps, bands_that_are_no_finite_number_change_nothing) {
+  open_editor();
+  const std::string before = ramp();
+  for (const char* text : {"nan", "inf", "many"}) {
+    type_over("bands:" + key_, text);
+    EXPECT_EQ(ramp(), before) << text;
+  }
+  type_over("bands:" + key_, "6");
+  wait_for_stops(6);
+}
+
 TEST_F(AppRamps, stop_dragged_on_the_ramp_changes_the_shading_in_one_step) {
   open_editor();
   const Json before = state();

@@ -49,6 +49,8 @@ struct Row {
   std::optional<double> now, then;
 
   bool is_count() const { return measure.kind == MeasureKind::count; }
+  /// Below the heading of the classes, a class's own name.
+  std::string_view name() const { return measure.line_class ? name_of(*measure.line_class) : measure.key; }
 };
 
 /// Good news, bad news or neither.
@@ -78,7 +80,7 @@ void draw_row(const Row& row, bool compares) {
   const ImVec2 place = ImGui::GetCursorScreenPos();
   ImGui::Dummy({right - left, ImGui::GetTextLineHeight()});
   help_for_item(row.measure.help);
-  draw_fitted_text(*ImGui::GetWindowDrawList(), place, room, theme().faint, row.measure.key);
+  draw_fitted_text(*ImGui::GetWindowDrawList(), place, room, theme().faint, row.name());
 }
 
 void draw_bar(const Row& row, ImU32 colour) {

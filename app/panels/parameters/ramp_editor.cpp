@@ -47,16 +47,6 @@ bool is_stepped(const Ramp& ramp, bool stepped) {
                      [&](const RampStop& stop) { return stop.stepped == stepped; });
 }
 
-/// A number that was dragged or typed; none where nothing was.
-std::optional<double> entered(const BarResult& bar) {
-  if (bar.dragged) return bar.value;
-  if (bar.typed.empty()) return std::nullopt;
-  char* end = nullptr;
-  const double value = std::strtod(bar.typed.c_str(), &end);
-  if (end == bar.typed.c_str()) return std::nullopt;
-  return value;
-}
-
 /// Two buttons of which one is on; returns the one that was pressed.
 std::optional<bool> step_or_smooth(UiMap& ui_map, const std::string& name, bool step_on, bool smooth_on,
                                    std::string_view help) {

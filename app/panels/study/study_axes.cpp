@@ -32,14 +32,6 @@ const Field& count_field() {
   return kField;
 }
 
-double number_of(const BarResult& bar, double before) {
-  if (bar.dragged) return bar.value;
-  if (bar.typed.empty()) return before;
-  char* end = nullptr;
-  const double typed = std::strtod(bar.typed.c_str(), &end);
-  return end == bar.typed.c_str() || !std::isfinite(typed) ? before : typed;
-}
-
 /// 0.003 and not the float nearest to it.
 double decimal(double value) {
   return std::strtod(shortest(static_cast<float>(value)).c_str(), nullptr);
@@ -47,7 +39,7 @@ double decimal(double value) {
 
 void end_bar(UiMap& ui_map, const std::string& id, const char* help, const Field& field, double& value,
              float width) {
-  const double next = number_of(value_bar(id.c_str(), value, field, width), value);
+  const double next = entered(value_bar(id.c_str(), value, field, width)).value_or(value);
   if (next != value) value = field.type == FieldType::integer ? std::round(next) : decimal(next);
   ui_map.mark_item(id);
   help_for_item(help);

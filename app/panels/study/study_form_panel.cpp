@@ -86,11 +86,8 @@ void side_bar(const Document& document, UiMap& ui_map, const char* key, int& sid
   const Field& field = *find_param(document.settings(), key, "").field;
   const BarResult bar = value_bar(key, side, field, width);
   ui_map.mark_item(std::string("study:") + key);
-  if (bar.dragged) side = static_cast<int>(bar.value);
-  if (!bar.typed.empty()) {
-    const double typed = std::strtod(bar.typed.c_str(), nullptr);
-    side = static_cast<int>(std::clamp(typed, field.limits.low, field.limits.high));
-  }
+  if (const auto value = entered(bar))
+    side = static_cast<int>(std::clamp(*value, field.limits.low, field.limits.high));
   help_for_item(field.help);
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "app/window/theme.h"
@@ -84,6 +85,14 @@ void draw_bar(ImVec2 low, ImVec2 high, const Field& field, double value, bool ho
 }
 
 }  // namespace
+
+std::optional<double> entered(const BarResult& bar) {
+  if (bar.dragged) return bar.value;
+  char* end = nullptr;
+  const double typed = std::strtod(bar.typed.c_str(), &end);
+  if (end == bar.typed.c_str() || !std::isfinite(typed)) return std::nullopt;
+  return typed;
+}
 
 std::string number_text(double value, bool whole) {
   if (whole) return with_commas(std::llround(value));

@@ -3,6 +3,7 @@
 // description. Out: what the person did with it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "pipeline/params/description.h"
@@ -21,6 +22,9 @@ struct BarResult {
 /// `id` must be unique in its window. Dragging sets values of the useful range in sensible steps, finer with
 /// Shift; Ctrl and click types any number.
 BarResult value_bar(const char* id, double value, const Field& field, float width);
+
+/// What the person made of the bar: the value dragged to, or what was typed where that is a finite number.
+std::optional<double> entered(const BarResult& bar);
 
 /// The number as people read it: the shortest text, at most five digits.
 std::string number_text(double value, bool whole);
