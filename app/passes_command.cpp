@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <string>
 
@@ -11,14 +10,17 @@
 namespace inkbench {
 
 void add_passes_command(CLI::App& app) {
-  auto format = std::make_shared<PassesFormat>(PassesFormat::text);
+  auto format = std::make_shared<std::string>("text");
   CLI::App* command = app.add_subcommand("passes", "List the passes: what each takes and gives");
-  const std::map<std::string, PassesFormat> formats{
-      {"text", PassesFormat::text}, {"markdown", PassesFormat::markdown}, {"dot", PassesFormat::dot}};
   command->add_option("--format", *format, "text, markdown, or dot for Graphviz")
-      ->transform(CLI::CheckedTransformer(formats).description(""));
+      ->check(CLI::IsMember({"text", "markdown", "dot"}));
   command->footer("Example:\n  inkbench passes --format dot | dot -Tsvg -o passes.svg");
-  command->callback([format] { fmt::print("{}", passes_table(*format)); });
+  command->callback([format] {
+    const PassesFormat wanted = *format == "dot"        ? PassesFormat::dot
+                                : *format == "markdown" ? PassesFormat::markdown
+                                                        : PassesFormat::text;
+    fmt::print("{}", passes_table(wanted));
+  });
 }
 
 }  // namespace inkbench
