@@ -101,13 +101,22 @@ class AppStudy : public AppTest {
     });
   }
 
+  /// The command line of a process; empty where it has ended meanwhile.
+  static std::string command_of(const fs::path& process) {
+    try {
+      return text_in(process / "cmdline");
+    } catch (const std::exception&) {
+      return "";
+    }
+  }
+
   /// Processes that run a study of this test.
   std::vector<int> study_processes() const {
     std::vector<int> found;
     for (const auto& entry : fs::directory_iterator("/proc")) {
       const std::string name = entry.path().filename().string();
       if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-      const std::string command = text_in(entry.path() / "cmdline");
+      const std::string command = command_of(entry.path());
       const bool is_study = command.find(std::string("\0study\0", 7)) != std::string::npos;
       if (is_study && command.find(file("").string()) != std::string::npos) found.push_back(std::stoi(name));
     }
