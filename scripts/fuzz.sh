@@ -12,6 +12,8 @@ seeds=()
 dictionary=()
 [ -f "$root/tests/fuzz/$target.dict" ] && dictionary=("-dict=$root/tests/fuzz/$target.dict")
 log=$folder/log
+# The leak check at the end would crash on the thread-local storage of the many libraries that the image module brings.
+export ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}intercept_tls_get_addr=0
 "$root/build/sanitize/tests/$target" -max_total_time="$seconds" -max_len=4000 -timeout=20 -rss_limit_mb=4096 \
   -artifact_prefix="$folder/findings/" "${dictionary[@]}" "$folder/corpus" "${seeds[@]}" >"$log" 2>&1 || {
   tail -n 40 "$log"
