@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/settings/judge_params.h"
 
+#include "pipeline/settings/settings.h"
+
 namespace inkbench {
 namespace {
 
@@ -67,13 +69,6 @@ std::vector<Field> demand_fields() {
   };
 }
 
-std::string text_of(const std::vector<Field>& fields, const JudgeParams& judge) {
-  std::string text;
-  for (const Field& field : fields)
-    text += std::string(field.name) + " = " + to_text(field.get(&judge)) + "\n";
-  return text;
-}
-
 Description make_description() {
   Description description{
       "judge",
@@ -96,12 +91,12 @@ const Description& JudgeParams::description() {
 }
 
 std::string lines_text(const JudgeParams& judge) {
-  static const std::vector<Field> kFields = line_fields();
-  return text_of(kFields, judge);
+  static const Description kLines{"judge", "Reference lines", line_fields()};
+  return group_text(kLines, &judge);
 }
 
 std::string judge_text(const JudgeParams& judge) {
-  return text_of(JudgeParams::description().fields, judge);
+  return group_text(judge);
 }
 
 }  // namespace inkbench
