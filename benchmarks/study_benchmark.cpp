@@ -61,7 +61,7 @@ void draw_cells(const StudySpec& spec, const fs::path& folder) {
   Pipeline pipeline;
   make_folder(folder);
   const size_t threads = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, 8);
-  WorkerPool encoders(threads, threads);
+  WorkerPool encoders(threads, 2 * threads);
   for (const CellView& place : run_order(pipeline, spec)) {
     const Settings settings = view_settings(spec, make_cell(spec, place.cell), place.view);
     const Frame frame = pipeline.at(settings);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/thumbnails.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/priority.h"
 #include "pipeline/image/image_file.h"
 #include "studies/report/scaling.h"
 
@@ -46,7 +45,7 @@ Thumbnails::~Thumbnails() {
 }
 
 void Thumbnails::serve() {
-  setpriority(PRIO_PROCESS, 0, 10);  // of this thread alone: drawing comes first
+  step_back_for_drawing();
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return closing_ || (!wishes_.empty() && answers_.size() < kMostAnswers); });

@@ -3,9 +3,6 @@
 // results, one at a time; the window never waits for one.
 #pragma once
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -13,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "pipeline/base/priority.h"
 #include "pipeline/base/stop.h"
 
 namespace inkbench {
@@ -36,7 +34,7 @@ class LatestWorker {
         gives_up_(when_newer == WhenNewer::give_up),
         on_done_(std::move(on_done)),
         thread_([this, priority] {
-          if (priority == WorkPriority::below) step_back();
+          if (priority == WorkPriority::below) step_back_for_drawing();
           serve();
         }) {}
   LatestWorker(const LatestWorker&) = delete;
@@ -77,12 +75,6 @@ class LatestWorker {
   bool is_unwanted() const {
     const std::lock_guard lock(mutex_);
     return closing_ || (gives_up_ && waiting_.has_value());
-  }
-
-  /// On Linux each thread has a priority of its own.
-  static void step_back() {
-    constexpr int kNice = 5;
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
   }
 
   std::optional<Result> work_on(const Request& request) const {

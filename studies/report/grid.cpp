@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <future>
+#include <utility>
 
 #include "studies/report/grid_plan.h"
 #include "studies/report/scaling.h"
@@ -54,38 +56,45 @@ Picture failed_picture(const GridPlan& plan) {
   return picture;
 }
 
-/// Draws one sheet in strips that each hold one row of cells and what stands above it.
+/// Draws one sheet in strips that each hold one row of cells and what stands above it. A strip is packed
+/// beside the painting of the next, so that two stand in memory.
 class SheetPainter {
  public:
-  SheetPainter(const GridPlan& plan, const GridSheet& sheet, const CellSource& cell)
-      : plan_(plan), sheet_(sheet), cell_(cell) {}
+  SheetPainter(const GridPlan& plan, const GridSheet& sheet, const CellSource& cell, PngStripWriter& writer)
+      : plan_(plan), sheet_(sheet), cell_(cell), writer_(writer) {}
 
-  void paint(PngStripWriter& writer) {
+  void paint() {
     for (size_t first = 0; first < sheet_.slots.size();) {
       size_t end = first;
       while (end < sheet_.slots.size() && sheet_.slots[end].y_px == sheet_.slots[first].y_px) ++end;
-      write_text_down_to(sheet_.slots[first].y_px - plan_.frame_px, writer);
+      write_text_down_to(sheet_.slots[first].y_px - plan_.frame_px);
       begin_strip(sheet_.slots[first].y_px + plan_.cell_height_px + plan_.frame_px);
       for (; first < end; ++first) paint_cell(sheet_.slots[first]);
-      writer.write(strip_);
+      write_strip();
     }
-    write_text_down_to(sheet_.height_px, writer);
+    write_text_down_to(sheet_.height_px);
+    if (packing_.valid()) packing_.get();
   }
 
  private:
   /// The rows without cells, a few at a time: a large sheet's head is higher than its cells.
-  void write_text_down_to(int end, PngStripWriter& writer) {
+  void write_text_down_to(int end) {
     constexpr int kRows = 128;
-    while (top_ + strip_.height_px < end) {
-      begin_strip(std::min(end, top_ + strip_.height_px + kRows));
-      writer.write(strip_);
+    while (end_ < end) {
+      begin_strip(std::min(end, end_ + kRows));
+      write_strip();
     }
+  }
+
+  void write_strip() {
+    if (packing_.valid()) packing_.get();
+    packing_ =
+        std::async(std::launch::async, [this, strip = std::exchange(strip_, {})] { writer_.write(strip); });
   }
 
   /// The strip from the last one's end to `end`, white, with all text that reaches into it.
   void begin_strip(int end) {
-    top_ += strip_.height_px;
-    strip_ = {};  // first, so that two strips never stand in memory at once
+    top_ = std::exchange(end_, end);
     strip_ = Picture(sheet_.width_px, end - top_, 3, 255);
     for (const GridLine& line : sheet_.lines) {
       const int reach = line.upwards ? text_width_px(line.text, line.style.size_px, line.style.face) : 0;
@@ -123,9 +132,11 @@ class SheetPainter {
   const GridPlan& plan_;
   const GridSheet& sheet_;
   const CellSource& cell_;
+  PngStripWriter& writer_;
   std::optional<Picture> failed_;
   Picture strip_;
-  int top_ = 0;
+  int top_ = 0, end_ = 0;      ///< The strip's rows.
+  std::future<void> packing_;  ///< Of the strip before; last, so that its end is waited for first.
 };
 
 }  // namespace
@@ -147,7 +158,7 @@ std::vector<std::filesystem::path> write_grid(const std::filesystem::path& folde
     const std::string number = paths.empty() ? "" : "_" + std::to_string(paths.size() + 1);
     const std::filesystem::path path = folder / ("grid" + number + ".png");
     PngStripWriter writer(path, sheet.width_px, sheet.height_px, 3, text);
-    SheetPainter(plan, sheet, cell).paint(writer);
+    SheetPainter(plan, sheet, cell, writer).paint();
     writer.finish();
     paths.push_back(path);
   }

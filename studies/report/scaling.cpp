@@ -14,19 +14,16 @@ float decoded(double code) {
   return static_cast<float>(code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4));
 }
 
-using SampleTable = std::array<float, 256>;
+using LightTable = std::array<float, 256>;
 
-/// What each code counts as in a mean.
-const SampleTable& sample_table(Averaging averaging) {
-  static const auto kTables = [] {
-    std::array<SampleTable, 2> tables{};
-    for (int code = 0; code < 256; ++code) {
-      tables[0][code] = decoded(code / 255.0);
-      tables[1][code] = static_cast<float>(code);
-    }
-    return tables;
+/// The light of each code.
+const LightTable& light_table() {
+  static const LightTable kTable = [] {
+    LightTable table{};
+    for (int code = 0; code < 256; ++code) table[code] = decoded(code / 255.0);
+    return table;
   }();
-  return kTables[averaging == Averaging::light ? 0 : 1];
+  return kTable;
 }
 
 /// The sRGB code whose light is nearest in code space, by a table fine enough for the steepest part, near
@@ -78,23 +75,31 @@ class Covers {
   std::vector<float> shares_;
 };
 
-/// One row's samples, `kChannels` each, taken through `table`, at the columns' width, to `row`. `samples` is
-/// where old column `origin` lies.
+/// Adds to `sums` a share of the light of each of a row's samples.
+void add_row(const uint8_t* samples, const LightTable& table, float share, std::vector<float>& sums) {
+  for (size_t i = 0; i < sums.size(); ++i) sums[i] += share * table[samples[i]];
+}
+
+/// Of each sample's code itself.
+void add_row(const uint8_t* samples, float share, std::vector<float>& sums) {
+  for (size_t i = 0; i < sums.size(); ++i) sums[i] += share * static_cast<float>(samples[i]);
+}
+
+/// A row of sums, `kChannels` each, at the columns' width, to `row`; the sums begin with old column `origin`.
 template <int kChannels>
-void scale_row(const uint8_t* samples, int origin, const Covers& columns, const SampleTable& table,
-               float* row) {
+void scale_row(const std::vector<float>& sums, int origin, const Covers& columns, float* row) {
   for (size_t x = 0; x < columns.size(); ++x) {
     const Cover cover = columns[x];
-    const uint8_t* sample = samples + static_cast<ptrdiff_t>(cover.old.first - origin) * kChannels;
+    const float* sample = sums.data() + static_cast<ptrdiff_t>(cover.old.first - origin) * kChannels;
     std::array<float, kChannels> sum{};
     for (int j = 0; j < cover.old.end - cover.old.first; ++j, sample += kChannels) {
-      for (int i = 0; i < kChannels; ++i) sum[i] += cover.shares[j] * table[sample[i]];
+      for (int i = 0; i < kChannels; ++i) sum[i] += cover.shares[j] * sample[i];
     }
     row = std::copy(sum.begin(), sum.end(), row);
   }
 }
 
-using RowScaler = void (*)(const uint8_t*, int, const Covers&, const SampleTable&, float*);
+using RowScaler = void (*)(const std::vector<float>&, int, const Covers&, float*);
 
 RowScaler row_scaler(int channels) {
   return channels == 1 ? scale_row<1> : channels == 3 ? scale_row<3> : scale_row<4>;
@@ -125,23 +130,28 @@ Picture scaled_columns(const Picture& part, int origin, const Scaling& scaling, 
   assert(part.channels == 1 || part.channels == 3 || part.channels == 4);
   if (scaling.old_width_px == scaling.width_px && part.height_px == scaling.height_px)
     return columns_of(part, wanted.first - origin, wanted.end - origin);
-  const SampleTable& table = sample_table(averaging);
+  const LightTable& table = light_table();
   const Covers columns(scaling.old_width_px, scaling.width_px, wanted.first, wanted.end);
   const Covers rows(part.height_px, scaling.height_px, 0, scaling.height_px);
   const RowScaler scale = row_scaler(part.channels);
   Picture result(wanted.end - wanted.first, scaling.height_px, part.channels);
-  std::vector<float> row(columns.size() * part.channels), sum(row.size());
+  std::vector<float> sums(static_cast<size_t>(part.width_px) * part.channels);
+  std::vector<float> row(columns.size() * part.channels);
   auto out = result.samples.begin();
   for (size_t y = 0; y < rows.size() && !row.empty(); ++y) {
     const Cover cover = rows[y];
-    std::fill(sum.begin(), sum.end(), 0.0F);
+    std::fill(sums.begin(), sums.end(), 0.0F);
     for (int j = cover.old.first; j < cover.old.end; ++j) {
-      scale(&part.samples[part.index(0, j)], origin, columns, table, row.data());
+      const uint8_t* samples = &part.samples[part.index(0, j)];
       const float share = cover.shares[j - cover.old.first];
-      for (size_t i = 0; i < sum.size(); ++i) sum[i] += share * row[i];
+      if (averaging == Averaging::light)
+        add_row(samples, table, share, sums);
+      else
+        add_row(samples, share, sums);
     }
-    out = averaging == Averaging::light ? std::transform(sum.begin(), sum.end(), out, encoded)
-                                        : std::transform(sum.begin(), sum.end(), out, rounded);
+    scale(sums, origin, columns, row.data());
+    out = averaging == Averaging::light ? std::transform(row.begin(), row.end(), out, encoded)
+                                        : std::transform(row.begin(), row.end(), out, rounded);
   }
   return result;
 }

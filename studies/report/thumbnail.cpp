@@ -47,10 +47,17 @@ size_t base64_chars(size_t bytes) {
   return (bytes + 2) / 3 * 4;
 }
 
+/// The longest side worth its time: the more pictures a page shows, the smaller each of them stands there.
+int useful_side_px(size_t pictures) {
+  return pictures <= 100 ? 240 : pictures <= 250 ? 180 : 128;
+}
+
 ThumbnailPlan plan_for(size_t cells, size_t per_cell, size_t room_chars) {
-  const size_t share = room_chars / std::max<size_t>(cells * per_cell, 1);
+  const size_t pictures = std::max<size_t>(cells * per_cell, 1);
+  const size_t share = room_chars / pictures;
   for (const Step& step : kSteps) {
-    if (step.usual_chars * 4 <= share * 3) return {step.side_px, share, per_cell};
+    if (step.side_px <= useful_side_px(pictures) && step.usual_chars * 4 <= share * 3)
+      return {step.side_px, share, per_cell};
   }
   return {};
 }

@@ -17,8 +17,8 @@ struct ThumbnailPlan {
   size_t per_cell = 0;   ///< How many of a cell's pictures get one: all of them, or the first alone.
 };
 
-/// At most 240 px a side, less where they would not fit into `room_chars`; where they would be tiny, only the
-/// first picture of each cell gets one.
+/// At most 240 px a side, 180 or 128 where there are more than 100 or 250, less where they would not fit into
+/// `room_chars`; where they would be tiny, only the first picture of each cell gets one.
 ThumbnailPlan plan_thumbnails(size_t cells, size_t pictures_per_cell, size_t room_chars);
 
 /// One of the sizes that a picture may be shown at.

@@ -108,7 +108,7 @@ class StudyRun {
 
   void draw_cells() {
     const size_t threads = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, 8);
-    WorkerPool encoders(threads, threads);
+    WorkerPool encoders(threads, 2 * threads);
     for (const CellView& place : run_order(pipeline_, spec_)) {
       if (folder_.is_done(place.cell) || has_failed(place.cell)) continue;
       if (should_stop()) {

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "pipeline/base/priority.h"
+
 namespace inkbench {
 
 WorkerPool::WorkerPool(size_t threads, size_t queue_limit) : queue_limit_(queue_limit) {
@@ -31,6 +33,7 @@ void WorkerPool::wait() {
 }
 
 void WorkerPool::serve() {
+  step_back_for_drawing();
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [&] { return !queue_.empty() || closing_; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Threads that take work from a bounded queue: encoding overlaps drawing, and memory does not grow when
-// encoding is the slower one.
+// Threads that take work from a bounded queue: encoding fills the time that drawing leaves, and memory does
+// not grow when encoding is the slower one.
 #pragma once
 
 #include <condition_variable>
