@@ -118,7 +118,7 @@ TEST(ThumbnailPlan, sides_shrink_with_the_count_and_all_fit) {
     EXPECT_LE(plan.max_chars * count, kRoom) << count;
     last = plan.side_px;
   }
-  EXPECT_EQ(plan_thumbnails(500, 1, kRoom).side_px, 240);
+  EXPECT_EQ(plan_thumbnails(100, 1, kRoom).side_px, 240);
   EXPECT_LT(last, 64);
 }
 
