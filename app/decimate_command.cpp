@@ -61,7 +61,8 @@ std::string remark(size_t asked, size_t reached, size_t loaded) {
 
 void decimate(const DecimateOptions& options) {
   const std::vector<size_t> counts = parse_face_counts(options.faces);
-  Mesh mesh = load_mesh_file(mesh_path(options.mesh));
+  // Smooth where the file gives no normals: levels have as many vertices as points.
+  Mesh mesh = load_mesh_file(mesh_path(options.mesh), {.smooth_below_deg = 180.0});
   if (options.weld > 0.0F) mesh = weld(mesh, options.weld).mesh;
   for (const std::string& note : mesh.notes) log_note(options.mesh + ": " + note);
   const CollapseRecord record = cached_collapse_record(mesh);

@@ -15,7 +15,7 @@ namespace {
 using namespace inkbench;
 
 const Mesh& rabbit() {
-  static const Mesh mesh = load_mesh_file(find_rabbit());
+  static const Mesh mesh = load_mesh_file(find_rabbit(), {.smooth_below_deg = 180.0});
   return mesh;
 }
 

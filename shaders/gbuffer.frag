@@ -11,6 +11,7 @@ void main() {
   // gl_FragCoord.w is 1 / (distance along the view axis): the paper's linearisation of gl_FragCoord.z gives the same
   // number after losing most of its digits near 1.
   float depth = 1.0 / (gl_FragCoord.w * draw.far);
-  normal_and_depth = vec4(0.5 * normalize(normal_world) + 0.5, depth);
+  float side = gl_FrontFacing || draw.two_sided == 0.0 ? 1.0 : -1.0;
+  normal_and_depth = vec4(0.5 * side * normalize(normal_world) + 0.5, depth);
   object_id = draw.object_id;
 }

@@ -7,7 +7,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
-#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/levels/model_mesh.h"
 #include "pipeline/mesh/levels/replace_mesh.h"
 
 namespace inkbench {
@@ -39,10 +39,10 @@ void FileOpener::take_scene(const OpenedFile& file) {
 
 void FileOpener::take_mesh(const OpenedFile& file) {
   // A mesh that cannot be read is told before anything changes.
-  const auto mesh = std::make_shared<Mesh>(load_mesh_file(file.path));
   Settings next = document_.settings();
   replace_main_mesh(next, file.path);
   const ModelParams& model = main_model(next);
+  const auto mesh = std::make_shared<Mesh>(make_model_mesh(model));
   for (const std::string& note : mesh->notes)
     problems_.tell(Severity::note, "model '" + model.name + "': " + note);
   takers_.mesh(model, mesh);

@@ -66,8 +66,10 @@ std::vector<uint32_t> silhouette_edges(const MeshTopology& topology, const std::
   return edges_that(topology, [&](Uses uses) { return is_silhouette(uses, facings); });
 }
 
-std::vector<uint32_t> boundary_edges(const MeshTopology& topology) {
-  return edges_that(topology, [](Uses uses) { return uses.size() == 1; });
+std::vector<uint32_t> boundary_edges(const MeshTopology& topology, double angle_deg) {
+  std::vector<uint32_t> result = edges_that(topology, [](Uses uses) { return uses.size() == 1; });
+  std::erase_if(result, [&](uint32_t edge) { return topology.cover_angles_deg[edge] <= angle_deg; });
+  return result;
 }
 
 std::vector<uint32_t> crease_edges(const MeshTopology& topology, double angle_deg,

@@ -26,8 +26,9 @@ std::vector<int8_t> face_facings(const MeshTopology& topology, const glm::dvec3&
 /// number: then no pairing of the faces hides it (two solids that touch in an edge, a sheet with two sides).
 std::vector<uint32_t> silhouette_edges(const MeshTopology& topology, const std::vector<int8_t>& facings);
 
-/// Edges with one face.
-std::vector<uint32_t> boundary_edges(const MeshTopology& topology);
+/// Edges with one face, less those that others of faces within the angle cover: where edges of unequal length
+/// meet (T-junctions), the surface goes on.
+std::vector<uint32_t> boundary_edges(const MeshTopology& topology, double angle_deg = kCreaseAngleDeg);
 
 /// Edges whose face normals differ by more than the angle, measured with the mesh stretched by `stretch`. A
 /// non-manifold edge is one if some face has no partner within the angle that runs against it.

@@ -39,7 +39,7 @@ class MeshExtractor {
     const std::vector<Link> silhouettes = links_of(
         topology,
         silhouette_edges(topology, face_facings(topology, projection_.eye(), projection_.mirrored())));
-    const std::vector<Link> boundaries = links_of(topology, boundary_edges(topology));
+    const std::vector<Link> boundaries = links_of(topology, boundary_edges(topology, crease_angle()));
     add_links(LineClass::silhouette, topology.positions, silhouettes, kAnyTurnDeg, result_.polylines);
     add_links(LineClass::boundary, topology.positions, boundaries, kMaxTurnDeg, result_.polylines);
     if (mesh_.features == nullptr) return;
@@ -86,6 +86,10 @@ class MeshExtractor {
     }
     add_links(LineClass::crease, points, free, kMaxTurnDeg, result_.polylines);
     add_links(LineClass::crease, points, mesh_.features->creases, kMaxTurnDeg, result_.whole_creases);
+  }
+
+  double crease_angle() const {
+    return mesh_.features != nullptr ? mesh_.features->params.crease_angle_deg : kCreaseAngleDeg;
   }
 
   const SceneMesh& mesh_;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "pipeline/lines/covered_borders.h"
 #include "pipeline/mesh/weld.h"
 
 namespace inkbench {
@@ -167,6 +168,7 @@ MeshTopology make_topology(const Mesh& mesh) {
   drop_repeated_faces(topology);
   find_edges(topology);
   find_normals(topology);
+  topology.cover_angles_deg = cover_angles(topology);
   return topology;
 }
 

@@ -33,6 +33,7 @@ struct MeshTopology {
   std::vector<glm::dvec3> normals;             ///< Of unit length, one for each face; 0 where it has none.
   std::vector<Edge> edges;                     ///< Sorted by their points.
   std::vector<Use> uses;                       ///< Grouped by edge; within an edge in order of faces.
+  std::vector<double> cover_angles_deg;        ///< For each edge, see `cover_angles`.
   std::vector<std::array<uint32_t, 3>> face_edges;  ///< Edge from corner i to corner i + 1.
 
   std::span<const Use> uses_of(const Edge& edge) const {

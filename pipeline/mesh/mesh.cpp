@@ -9,7 +9,8 @@ namespace inkbench {
 
 Bounds bounds_of(const Mesh& mesh) {
   if (mesh.triangles.empty()) return {};
-  Bounds bounds{mesh.positions[mesh.triangles[0][0]], mesh.positions[mesh.triangles[0][0]]};
+  const glm::vec3& first = mesh.positions[mesh.triangles[0][0]];
+  Bounds bounds{first, first, mesh.origin, mesh.unit};
   for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
     for (const uint32_t vertex : triangle) {
       bounds.low = glm::min(bounds.low, mesh.positions[vertex]);

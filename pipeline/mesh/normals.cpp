@@ -11,14 +11,8 @@
 namespace inkbench {
 namespace {
 
-using Triangle = std::array<uint32_t, 3>;
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  // atan2 keeps its precision for tiny and straight angles, where acos of a dot product loses it.
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
-void add_face_normal(const Mesh& mesh, const Triangle& triangle, std::vector<glm::dvec3>& sums) {
+void add_face_normal(const Mesh& mesh, const std::array<uint32_t, 3>& triangle,
+                     std::vector<glm::dvec3>& sums) {
   glm::dvec3 corner[3];
   for (int i = 0; i < 3; ++i) corner[i] = mesh.positions[triangle[i]];
   const glm::dvec3 scaled_normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
@@ -32,9 +26,13 @@ void add_face_normal(const Mesh& mesh, const Triangle& triangle, std::vector<glm
 
 }  // namespace
 
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
 void smooth_normals(Mesh& mesh) {
   std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0.0));
-  for (const Triangle& triangle : mesh.triangles) add_face_normal(mesh, triangle, sums);
+  for (const std::array<uint32_t, 3>& triangle : mesh.triangles) add_face_normal(mesh, triangle, sums);
   mesh.normals.resize(mesh.positions.size());
   std::transform(sums.begin(), sums.end(), mesh.normals.begin(), [](const glm::dvec3& sum) {
     const double length = glm::length(sum);

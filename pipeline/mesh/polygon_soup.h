@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A mesh file's raw content: points and polygons as they stand there, defects included. `mesh_from_soup`
-// makes the drawable mesh of it and counts every defect. Pure: no files, no OpenMesh.
+// A mesh file's raw content: points and polygons as they stand there, defects included. In: what a reader
+// finds. Out: what `mesh_from_soup` makes a drawable mesh of, counting every defect. Pure data.
 #pragma once
 
 #include <cstdint>
@@ -8,30 +8,24 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/mesh/mesh.h"
-
 namespace inkbench {
 
 struct PolygonSoup {
-  std::vector<glm::vec3> points;  ///< May hold NaN and infinity.
-  std::vector<glm::vec3>
-      normals;  ///< Empty, or one for each point: any length, zero where the file has none.
+  std::vector<glm::dvec3> points;       ///< As the file has them, in its units; may hold NaN and infinity.
   std::vector<uint32_t> corner_counts;  ///< One for each polygon, any number.
   std::vector<int32_t> corners;         ///< Point indices, polygon after polygon; any value.
-  uint64_t empty_polygons = 0;  ///< Polygons that a reader left out: fewer than three different corners.
-  uint64_t split_normals = 0;   ///< Points that the file gives several different normals (sharp edges).
-  uint64_t merged_points = 0;   ///< Points that `merge_rounded_corners` took away.
+
+  std::vector<glm::vec3> normals;       ///< Any number, of any length; may hold NaN.
+  std::vector<int32_t> corner_normals;  ///< Empty, or for each corner an index into `normals`; any other
+                                        ///< value: the file gives it none.
+  /// Empty, or for each polygon its smoothing group: edges within a group are smooth, edges between groups
+  /// sharp, and so are all edges of a polygon whose group is 0.
+  std::vector<uint32_t> smoothing_groups;
+
+  bool corners_are_rounded = false;  ///< The format repeats a point in each face, each time rounded (STL).
+  bool is_flat = false;              ///< Where the file has no normals, its format means flat faces (glTF).
+  uint64_t empty_polygons = 0;     ///< Polygons that the reader left out: fewer than three different corners.
+  std::vector<std::string> notes;  ///< What the reader has to tell, one sentence each.
 };
-
-/// For files that repeat a corner's coordinates in every face, each time rounded anew (STL): points nearer
-/// than rounding can tell apart become the first of them, so that the faces meet. That is a millionth of the
-/// bounding box's diagonal, or 4 steps of a float at the largest coordinate where those are more. The soup
-/// has no normals.
-void merge_rounded_corners(PolygonSoup& soup);
-
-/// Triangulates, drops what cannot be drawn, removes isolated vertices, finds normals; each with a note and
-/// count. Normals are the soup's where every vertex has exactly one usable, else computed. Errors (input): no
-/// face, or none left; `where` is the file's name.
-Mesh mesh_from_soup(const PolygonSoup& soup, const std::string& where);
 
 }  // namespace inkbench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polygons to triangles, as a fan.
+// One polygon to triangles, by ear clipping. In: its corners in space. Out: triangles between them.
 #pragma once
 
 #include <array>
@@ -10,10 +10,18 @@
 
 namespace inkbench {
 
-/// Appends the triangles of one polygon (indices into `points`, all in range and finite), leaving out those
-/// without area. The fan starts where every triangle faces the polygon's way, if there is such a corner: that
-/// keeps corners in the middle of a side and gets concave quads right. False where the polygon has no area.
-bool triangulate(std::span<const glm::vec3> points, std::span<const int32_t> polygon,
-                 std::vector<std::array<uint32_t, 3>>& triangles);
+enum class Triangulation {
+  clean,    ///< The triangles cover the polygon, each part once.
+  crossed,  ///< The polygon crosses itself: triangles lie over each other or face the other way.
+  no_area   ///< None: all corners on a line, or fewer than three.
+};
+
+/// Appends triangles of corner numbers, turning as the polygon does and each with an area. The corners are
+/// finite; they need not lie in a plane, and two may be at one place, as where a bridge joins a hole to the
+/// outline. A corner in the middle of a side is a corner of a triangle too, so that neighbours meet there.
+/// No corner of a convex polygon of n gets more than about 2 log2(n) triangles. Ear clipping after Meisters
+/// 1975; time n log n for usual outlines, n^2 at worst.
+Triangulation triangulate(std::span<const glm::dvec3> corners,
+                          std::vector<std::array<uint32_t, 3>>& triangles);
 
 }  // namespace inkbench

@@ -126,8 +126,8 @@ std::vector<uint32_t> first_at_same_position(const std::vector<glm::vec3>& posit
 WeldResult weld(const Mesh& mesh, float tolerance) {
   if (!(tolerance >= 0.0F) || !std::isfinite(tolerance))
     throw input_error("weld", "bad tolerance " + shortest(tolerance), "0 or more, in the mesh's units");
-  const std::vector<uint32_t> first =
-      tolerance == 0.0F ? first_at_same_position(mesh.positions) : first_within(mesh.positions, tolerance);
+  const std::vector<uint32_t> first = tolerance == 0.0F ? first_at_same_position(mesh.positions)
+                                                        : first_within(mesh.positions, tolerance / mesh.unit);
   WeldResult result;
   Mesh& welded = result.mesh;
   std::vector<uint32_t> renumbered(first.size(), kNone);
@@ -154,6 +154,9 @@ WeldResult weld(const Mesh& mesh, float tolerance) {
     }
   }
   welded.notes = mesh.notes;
+  welded.origin = mesh.origin;
+  welded.unit = mesh.unit;
+  welded.has_given_normals = mesh.has_given_normals;
   if (result.merged_vertices > 0) {
     welded.notes.push_back(fmt::format(
         "Merged {} into others at the same place{}.", counted(result.merged_vertices, "vertex", "vertices"),

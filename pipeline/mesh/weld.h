@@ -17,7 +17,7 @@ struct WeldResult {
   size_t dropped_triangles = 0;  ///< Triangles that named one vertex twice afterwards.
 };
 
-/// Merges each vertex into the first one within `tolerance` (in the mesh's units, 0 or more; 0: only equal
+/// Merges each vertex into the first one within `tolerance` (in the file's units, 0 or more; 0: only equal
 /// positions) that was not merged itself, so that merging never creeps along a chain. A merged vertex keeps
 /// its first position; its normal becomes the mean. Counts are added to the notes. Errors (input): a
 /// tolerance that is negative or not finite.

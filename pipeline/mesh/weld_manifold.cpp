@@ -5,56 +5,18 @@
 #include <numeric>
 #include <utility>
 
+#include "pipeline/mesh/triangle_edges.h"
 #include "pipeline/mesh/weld.h"
 
 namespace inkbench {
 namespace {
 
-using Triangle = std::array<uint32_t, 3>;
 constexpr uint32_t kLeftOut = ManifoldPieces::kLeftOut;
+static_assert(kLeftOut == kNoPoint);
 constexpr Triangle kNoTriangle{kLeftOut, kLeftOut, kLeftOut};
 
 bool is_left_out(const Triangle& triangle) {
   return triangle[0] == kLeftOut;
-}
-
-/// A directed edge of a triangle under the name of its two ends, lower first. `corner` is where it starts.
-struct Edge {
-  uint64_t ends = 0;
-  uint32_t corner = 0;  ///< 3 x triangle + which.
-  bool is_rising = false;
-
-  auto operator<=>(const Edge&) const = default;
-};
-
-uint32_t next_corner(uint32_t corner) {
-  return corner % 3 == 2 ? corner - 2 : corner + 1;
-}
-
-std::vector<Edge> sorted_edges(const std::vector<Triangle>& triangles) {
-  std::vector<Edge> edges;
-  edges.reserve(triangles.size() * 3);
-  for (uint32_t face = 0; face < triangles.size(); ++face) {
-    const Triangle& t = triangles[face];
-    if (is_left_out(t)) continue;
-    for (uint32_t i = 0; i < 3; ++i) {
-      const uint32_t from = t[i];
-      const uint32_t to = t[(i + 1) % 3];
-      const auto [low, high] = std::minmax(from, to);
-      edges.push_back({static_cast<uint64_t>(low) << 32 | high, 3 * face + i, from < to});
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
-/// Calls `visit(begin, end)` for each undirected edge's range.
-template <class Visit>
-void for_each_edge(const std::vector<Edge>& edges, Visit&& visit) {
-  for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].ends == edges[begin].ends) ++end;
-    visit(begin, end);
-  }
 }
 
 /// The triangles over welded vertices, those that name one twice left out.
@@ -83,25 +45,6 @@ Twin twin_of(const Triangle& t, uint32_t face) {
   const bool is_even = (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2;
   return {corners, !is_even, face};
 }
-
-/// A forest over 0, 1, 2, ...; each tree's root is its smallest member.
-class Forest {
- public:
-  explicit Forest(size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  uint32_t root(uint32_t member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void join(uint32_t a, uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<uint32_t> parent_;
-};
 
 /// Leaves out repetitions; returns for each triangle the one with the same corners in the opposite sense, or
 /// `kLeftOut`.
@@ -139,15 +82,15 @@ void separate_back_sides(std::vector<Triangle>& triangles, uint32_t offset) {
   }
   if (!has_any) return;
   Forest sides(triangles.size());
-  const std::vector<Edge> edges = sorted_edges(doubled);
+  const std::vector<EdgeUse> edges = sorted_edges(doubled, offset);
   for_each_edge(edges, [&](size_t begin, size_t end) {
     if (end - begin != 4) return;
-    const Edge& first = edges[begin];
+    const EdgeUse& first = edges[begin];
     for (size_t i = begin + 1; i < end; ++i) {
-      const uint32_t other = edges[i].corner / 3;
-      if (edges[i].is_rising == first.is_rising || other == back[first.corner / 3]) continue;
-      sides.join(first.corner / 3, other);
-      sides.join(back[first.corner / 3], back[other]);
+      const uint32_t other = edges[i].triangle();
+      if (edges[i].is_rising == first.is_rising || other == back[first.triangle()]) continue;
+      sides.join(first.triangle(), other);
+      sides.join(back[first.triangle()], back[other]);
     }
   });
   for (uint32_t face = 0; face < triangles.size(); ++face) {
@@ -162,9 +105,9 @@ struct Fans {
 };
 
 /// Corners joined across every edge of two triangles of equal orientation.
-Fans join_fans(const std::vector<Triangle>& triangles) {
+Fans join_fans(const std::vector<Triangle>& triangles, size_t point_count) {
   Fans fans{Forest(triangles.size() * 3)};
-  const std::vector<Edge> edges = sorted_edges(triangles);
+  const std::vector<EdgeUse> edges = sorted_edges(triangles, point_count);
   for_each_edge(edges, [&](size_t begin, size_t end) {
     if (end - begin == 1) return;
     if (end - begin != 2 || edges[begin].is_rising == edges[begin + 1].is_rising) {
@@ -200,13 +143,13 @@ void number_points(const Mesh& mesh, const std::vector<Triangle>& triangles, Fan
 
 /// Triangles that share a directed edge with an earlier one: where a fan meets itself in one edge, that
 /// outlives the cut.
-std::vector<uint32_t> crowded_triangles(const std::vector<Triangle>& corners) {
-  const std::vector<Edge> edges = sorted_edges(corners);
+std::vector<uint32_t> crowded_triangles(const std::vector<Triangle>& corners, size_t point_count) {
+  const std::vector<EdgeUse> edges = sorted_edges(corners, point_count);
   std::vector<uint32_t> crowded;
   for_each_edge(edges, [&](size_t begin, size_t end) {
     bool seen[2] = {false, false};
     for (size_t i = begin; i < end; ++i) {
-      if (std::exchange(seen[edges[i].is_rising ? 1 : 0], true)) crowded.push_back(edges[i].corner / 3);
+      if (std::exchange(seen[edges[i].is_rising ? 1 : 0], true)) crowded.push_back(edges[i].triangle());
     }
   });
   std::sort(crowded.begin(), crowded.end());
@@ -248,10 +191,11 @@ ManifoldPieces cut_to_manifold(const Mesh& mesh) {
   pieces.next_equal = rings_of(first);
   std::vector<bool> cut(2 * mesh.positions.size(), false);
   while (true) {
-    Fans fans = join_fans(triangles);
+    Fans fans = join_fans(triangles, cut.size());
     number_points(mesh, triangles, fans, pieces);
-    const std::vector<uint32_t> crowded =
-        fans.has_cut_edges ? crowded_triangles(pieces.corners) : std::vector<uint32_t>();
+    const std::vector<uint32_t> crowded = fans.has_cut_edges
+                                              ? crowded_triangles(pieces.corners, pieces.origin.size())
+                                              : std::vector<uint32_t>();
     // Each such triangle becomes a piece of its own. That may part a fan, hence once more from the start.
     for (const uint32_t face : crowded) {
       for (uint32_t& corner : triangles[face]) {

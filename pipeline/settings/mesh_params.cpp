@@ -21,8 +21,8 @@ const Description& MeshParams::description() {
                                          .limits = {0, kMaxSubdivisionRounds}}),
           field<&MeshParams::normals>(
               {.name = "normals",
-               .help = "Vertex normals of the main model: smooth over its own faces, flat, or "
-                       "those of the full mesh at the nearest point, as baked normals are."}),
+               .help = "Vertex normals of the main model: as the model has them, smooth over its own faces, "
+                       "flat, or those of the full mesh at the nearest point, as baked normals are."}),
       }};
   return kDescription;
 }

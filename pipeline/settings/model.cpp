@@ -57,6 +57,22 @@ const Description& ModelParams::description() {
                                      .help = "Tube radius of a torus of ring radius 1.",
                                      .limits = {0.01, 0.99},
                                      .matters_when = "shape = torus"}),
+          field<&ModelParams::normals>({.name = "normals",
+                                        .help = "The file's or shape's own, corner by corner (crease where "
+                                                "it has none); sharp at creases; "
+                                                "smooth across all edges; or flat."}),
+          field<&ModelParams::smooth_angle>(
+              {.name = "smooth_angle",
+               .help = "Edges between faces that differ by less are smooth, unless the file says otherwise.",
+               .unit = "deg",
+               .limits = {0, 180}}),
+          field<&ModelParams::orient>(
+              {.name = "orient",
+               .help = "Which way closed parts face: as the file has them, or outward.",
+               .matters_when = "two_sided = false"}),
+          field<&ModelParams::two_sided>(
+              {.name = "two_sided",
+               .help = "Light a face that is seen from behind as its front: for open surfaces and sheets."}),
           field<&ModelParams::size>(
               {.name = "size",
                .help = "Longest side of the bounding box; 0 keeps the mesh's own units.",

@@ -28,6 +28,22 @@ struct ChoiceNames<Anchor> {
   static constexpr std::array<std::string_view, 2> names{"origin", "base"};
 };
 
+/// Where the normals come from that light and the normal map see. `file`: from the file (or the built-in
+/// shape), corner by corner; where it has none, as `crease`. `crease`: smooth across edges of less than
+/// `smooth_angle`, sharp at the others. `smooth`: across all edges. `flat`: each face its own.
+enum class ModelNormals { file, crease, smooth, flat };
+template <>
+struct ChoiceNames<ModelNormals> {
+  static constexpr std::array<std::string_view, 4> names{"file", "crease", "smooth", "flat"};
+};
+
+/// Which way closed parts face: as the file has them, or outwards.
+enum class Orient { file, outward };
+template <>
+struct ChoiceNames<Orient> {
+  static constexpr std::array<std::string_view, 2> names{"file", "outward"};
+};
+
 /// Material coefficients of 3.1.
 struct MaterialParams {
   glm::vec3 colour{0.8F};
@@ -47,6 +63,10 @@ struct ModelParams {
   int segments = 32;
   float fillet = 0.1F;
   float tube = 0.35F;
+  ModelNormals normals = ModelNormals::file;
+  float smooth_angle = 40.0F;
+  Orient orient = Orient::file;
+  bool two_sided = true;
   float size = 0.0F;
   Anchor anchor = Anchor::origin;
   glm::vec3 position{0.0F};

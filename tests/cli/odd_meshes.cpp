@@ -138,16 +138,16 @@ std::vector<OddMesh> odd_meshes() {
   return {
       odd("bowl.obj", bowl(), "isolated"),
       odd("boxes.obj", hundred_boxes()),
-      odd("sheets.obj", three_sheets()),
-      odd("cones.obj", two_cones()),
+      odd("sheets.obj", three_sheets(), "non-manifold"),
+      odd("cones.obj", two_cones(), "inwards"),
       {"rounded.stl", rounded_stl(torus), torus.triangles.size(), "that rounding alone kept apart"},
       {"flat.obj", obj_of(with_flat_faces()), box.triangles.size(), "Dropped 2 faces without area"},
       {"one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", 1, ""},
       odd("doubled.obj", doubled(torus, false), "non-manifold"),
       odd("two_sided.obj", doubled(bowl(), true), "non-manifold"),
       {"nan.obj", obj_of(box) + nan, box.triangles.size(), "Dropped 1 face with a corner at NaN"},
-      odd("inside_out.obj", with_turned_faces(torus, 1)),
-      odd("mixed.obj", with_turned_faces(torus, 3), "turned opposite ways"),
+      odd("inside_out.obj", with_turned_faces(torus, 1), "inwards"),
+      odd("mixed.obj", with_turned_faces(torus, 3), "lay against the neighbours"),
   };
 }
 

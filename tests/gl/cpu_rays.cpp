@@ -23,6 +23,7 @@ struct Body {
   dmat3 linear;
   dvec3 origin;
   int object_id;
+  bool two_sided;
 };
 
 struct Hit {
@@ -51,7 +52,7 @@ Body make_body(const ModelParams& model, int object_id) {
       rotation(model.rotation) * dmat3(dvec3(scale.x, 0, 0), dvec3(0, scale.y, 0), dvec3(0, 0, scale.z));
   const double base = model.shape == Shape::plane ? 0.0 : -longest / 2.0;
   const dvec3 anchor(0.0, model.anchor == Anchor::base ? base : 0.0, 0.0);
-  return {model.shape, linear, dvec3(model.position) - linear * anchor, object_id};
+  return {model.shape, linear, dvec3(model.position) - linear * anchor, object_id, model.two_sided};
 }
 
 using Hits = std::vector<Hit>;
@@ -139,7 +140,8 @@ Surface cast_rays(const Settings& settings) {
         for (const Hit& hit : hit_body(body, dvec3(camera.eye), ray)) {
           if (hit.along < camera.near || hit.along >= nearest) continue;
           nearest = hit.along;
-          const dvec3 normal = glm::normalize(glm::transpose(glm::inverse(body.linear)) * hit.normal);
+          dvec3 normal = glm::normalize(glm::transpose(glm::inverse(body.linear)) * hit.normal);
+          if (body.two_sided && glm::dot(normal, ray) > 0.0) normal = -normal;
           for (int c = 0; c < 3; ++c) surface.normal.at(x, y, c) = 0.5 * normal[c] + 0.5;
           surface.depth.at(x, y) = nearest / camera.far;
           surface.object_id.at(x, y) = body.object_id;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "pipeline/base/log.h"
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
 #include "tests/gl/cpu_rays.h"
@@ -164,6 +165,35 @@ TEST(GBuffer, nearer_surfaces_hide_farther_ones_in_any_order) {
   const Image depth = pipeline.at(settings).raw(BufferName::depth);
   std::reverse(settings.models.begin(), settings.models.end());
   EXPECT_EQ(largest_difference(pipeline.at(settings).raw(BufferName::depth), depth), 0.0);
+}
+
+TEST(GBuffer, a_model_beyond_the_far_plane_is_told_once) {
+  Settings settings = analytic_scene();
+  std::vector<std::string> notes;
+  const LogSink before = set_log_sink([&](const std::string& note) { notes.push_back(note); });
+  Pipeline pipeline;
+  pipeline.at(settings).raw(BufferName::depth);
+  EXPECT_TRUE(notes.empty());
+  settings.models[1].position += 100.0F * (settings.camera.target - settings.camera.eye);
+  pipeline.at(settings).raw(BufferName::depth);
+  settings.camera.fov += 1.0F;
+  pipeline.at(settings).raw(BufferName::depth);
+  set_log_sink(before);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].substr(0, notes[0].find(" lies")), "model '" + settings.models[1].name + "'");
+}
+
+TEST(GBuffer, a_face_seen_from_behind_takes_the_opposite_normal_where_it_is_two_sided) {
+  Settings settings = analytic_scene();
+  settings.models = {ModelParams{.name = "sheet", .shape = Shape::plane, .segments = 1, .size = 100.0F}};
+  settings.camera.eye = {0.0F, -3.0F, 4.0F};  // from below
+  settings.camera.target = {0.0F, 0.0F, 0.0F};
+  for (const bool two_sided : {true, false}) {
+    settings.models[0].two_sided = two_sided;
+    Pipeline pipeline;
+    const Image normal = pipeline.at(settings).raw(BufferName::normal);
+    EXPECT_FLOAT_EQ(normal.at(normal.width_px / 2, normal.height_px / 2, 1), two_sided ? 0.0F : 1.0F);
+  }
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ float changed_number(const Field& field, float value) {
 }
 
 /// Another value of the parameter. Errors (test): a type that it knows no other value for.
-Value changed(const Field& field, const Value& value, const std::string& other_mesh) {
+Value another(const Field& field, const Value& value, const std::string& other_mesh) {
   if (const auto* boolean = std::get_if<bool>(&value)) return !*boolean;
   if (const auto* integer = std::get_if<int>(&value)) {
     const int other = static_cast<int>(changed_number(field, static_cast<float>(*integer)));
@@ -115,6 +115,16 @@ std::vector<std::string> all_keys(Settings settings) {
   return keys;
 }
 
+/// Other values of the parameter: of a choice all, since one may be the same as another here.
+std::vector<Value> others(const Field& field, const Value& value, const std::string& other_mesh) {
+  if (field.choices.empty()) return {another(field, value, other_mesh)};
+  std::vector<Value> values;
+  for (const std::string_view choice : field.choices) {
+    if (choice != std::get<std::string>(value)) values.emplace_back(std::string(choice));
+  }
+  return values;
+}
+
 /// Differences of rounding do not count, nor single pixels of an edge.
 bool differ(const Image& a, const Image& b) {
   if (a.samples.size() != b.samples.size() || a.width_px != b.width_px) return true;
@@ -124,7 +134,7 @@ bool differ(const Image& a, const Image& b) {
 }
 
 /// A mesh with triangles to spare, whose every level and subdivision looks different, as an OBJ file.
-std::string bumpy_sphere(float waves, int segments = 16) {
+std::string bumpy_sphere(float waves, int segments = 16, bool inside_out = false) {
   const Mesh sphere = make_sphere(segments);
   std::string text;
   for (const glm::vec3& p : sphere.positions) {
@@ -133,7 +143,8 @@ std::string bumpy_sphere(float waves, int segments = 16) {
   }
   for (const auto& t : sphere.triangles) {
     text += "f";
-    for (const uint32_t corner : t) text += " " + std::to_string(corner + 1);
+    for (const int i : inside_out ? std::array{0, 2, 1} : std::array{0, 1, 2})
+      text += " " + std::to_string(t[i] + 1);
     text += "\n";
   }
   return text;
@@ -142,7 +153,8 @@ std::string bumpy_sphere(float waves, int segments = 16) {
 class ParamsLive : public testing::Test {
  protected:
   ParamsLive() {
-    first_mesh_ = folder_.write("first.obj", bumpy_sphere(5.0F)).string();
+    // Inside out, so that it matters which side is the front.
+    first_mesh_ = folder_.write("first.obj", bumpy_sphere(5.0F, 16, true)).string();
     other_mesh_ = folder_.write("other.obj", bumpy_sphere(3.0F)).string();
     rich_ = make_rich_scene();
     judged_ = rich_;  // where the lines of the full mesh are seen, those of its smooth bends too
@@ -195,20 +207,28 @@ class ParamsLive : public testing::Test {
     return !framebuffer_keys_change(now, then) && meter_.key(now) != meter_.key(then) &&
            judgements_change(before, after);
   }
+  std::vector<Settings> all_changes(const Settings& settings, const std::string& key) const {
+    Settings before = settings;
+    const Param param = find_param(before, key, "test");
+    std::vector<Settings> changes;
+    for (const Value& value : others(*param.field, param.value(), other_mesh_)) {
+      changes.push_back(settings);
+      find_param(changes.back(), key, "test").set(value, "test");
+    }
+    return changes;
+  }
   Settings with_change(const Settings& settings, const std::string& key) const {
-    Settings result = settings;
-    const Param param = find_param(result, key, "test");
-    param.set(changed(*param.field, param.value(), other_mesh_), "test");
-    return result;
+    return all_changes(settings, key).front();
   }
   bool is_live(const std::string& key) {
     for (const Settings& arranged : arrangements(key.starts_with("judge.") ? judged_ : rich_, key)) {
-      const Settings after = with_change(arranged, key);
-      const bool live = key.starts_with("judge.") ? judge_is_live(arranged, after)
-                        : key.starts_with("display.")
-                            ? !keys_change(arranged, after) && pictures_change(arranged, after)
-                            : keys_change(arranged, after) && images_change(arranged, after);
-      if (live) return true;
+      for (const Settings& after : all_changes(arranged, key)) {
+        const bool live = key.starts_with("judge.") ? judge_is_live(arranged, after)
+                          : key.starts_with("display.")
+                              ? !keys_change(arranged, after) && pictures_change(arranged, after)
+                              : keys_change(arranged, after) && images_change(arranged, after);
+        if (live) return true;
+      }
     }
     return false;
   }
@@ -258,6 +278,13 @@ Settings ParamsLive::make_rich_scene() const {
   return settings;
 }
 
+/// What a built-in shape's own normals and closed surface leave nothing to do for.
+bool is_for_mesh_files(const std::string& key) {
+  const bool is_of_file = key.starts_with("model.mesh.");
+  return !is_of_file && (key.ends_with(".normals") || key.ends_with(".smooth_angle") ||
+                         key.ends_with(".orient") || key.ends_with(".two_sided"));
+}
+
 TEST_F(ParamsLive, every_parameter_changes_a_key_and_an_image) {
   // A plane has no thickness, so its height cannot be stretched, and the middle of its base is its origin.
   const std::vector<std::string> no_thickness{"model.plane.anchor", "model.plane.scale.y"};
@@ -265,7 +292,7 @@ TEST_F(ParamsLive, every_parameter_changes_a_key_and_an_image) {
   EXPECT_GT(keys.size(), 200U);
   for (const std::string& key : keys) {
     const bool exempt = std::find(no_thickness.begin(), no_thickness.end(), key) != no_thickness.end();
-    EXPECT_TRUE(exempt || is_live(key)) << key << " does nothing";
+    EXPECT_TRUE(exempt || is_for_mesh_files(key) || is_live(key)) << key << " does nothing";
   }
 }
 

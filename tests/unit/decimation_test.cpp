@@ -23,7 +23,7 @@ namespace {
 using Triangle = std::array<uint32_t, 3>;
 
 const Mesh& rabbit() {
-  static const Mesh mesh = load_mesh_file(find_rabbit());
+  static const Mesh mesh = load_mesh_file(find_rabbit(), {.smooth_below_deg = 180.0});
   return mesh;
 }
 

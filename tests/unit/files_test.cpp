@@ -27,7 +27,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-std::span<const uint8_t> bytes_of(std::string_view text) {
+std::span<const uint8_t> text_bytes(std::string_view text) {
   return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
 }
 
@@ -57,9 +57,9 @@ TEST(Files, writing_makes_the_parent_folders) {
 TEST(Files, pieces_are_written_in_order) {
   const TemporaryFolder folder;
   write_file_atomically(folder.path() / "file", [](const FileSink& sink) {
-    sink(bytes_of("one "));
+    sink(text_bytes("one "));
     sink({});
-    sink(bytes_of("two"));
+    sink(text_bytes("two"));
   });
   EXPECT_EQ(read_file(folder.path() / "file"), "one two");
 }
@@ -69,7 +69,7 @@ TEST(Files, a_writer_that_throws_keeps_the_old_content_and_removes_its_own) {
   folder.write("file", "old");
   const auto write_half = [&] {
     write_file_atomically(folder.path() / "file", [](const FileSink& sink) {
-      sink(bytes_of("half"));
+      sink(text_bytes("half"));
       throw std::runtime_error("stop");
     });
   };
@@ -82,7 +82,7 @@ TEST(Files, the_name_holds_the_old_content_until_the_end) {
   const TemporaryFolder folder;
   folder.write("file", "old");
   PendingFile pending(folder.path() / "file");
-  pending.append(bytes_of("new"));
+  pending.append(text_bytes("new"));
   EXPECT_EQ(read_file(folder.path() / "file"), "old");
   pending.commit();
   EXPECT_EQ(read_file(folder.path() / "file"), "new");
@@ -92,7 +92,7 @@ TEST(Files, a_pending_file_that_is_not_committed_disappears) {
   const TemporaryFolder folder;
   {
     PendingFile pending(folder.path() / "file");
-    pending.append(bytes_of("new"));
+    pending.append(text_bytes("new"));
     EXPECT_EQ(names_in(folder.path()).size(), 1U);
   }
   EXPECT_TRUE(names_in(folder.path()).empty());
@@ -102,8 +102,8 @@ TEST(Files, two_pending_files_of_one_name_do_not_meet) {
   const TemporaryFolder folder;
   PendingFile first(folder.path() / "file");
   PendingFile second(folder.path() / "file");
-  first.append(bytes_of("first"));
-  second.append(bytes_of("second"));
+  first.append(text_bytes("first"));
+  second.append(text_bytes("second"));
   second.commit();
   first.commit();
   EXPECT_EQ(read_file(folder.path() / "file"), "first");

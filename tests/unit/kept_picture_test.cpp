@@ -17,7 +17,7 @@ KeptPicture sample() {
 TEST(KeptPicture, reads_back_from_its_bytes) {
   EXPECT_GT(sample().tile.left.width_px, 0);
   EXPECT_EQ(kept_picture(bytes_of(sample())), sample());
-  EXPECT_EQ(kept_picture(bytes_of({})), KeptPicture{});
+  EXPECT_EQ(kept_picture(bytes_of(KeptPicture{})), KeptPicture{});
 }
 
 TEST(KeptPicture, any_damaged_byte_is_noticed) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Mesh files, good and bad, through the whole loader: every defect is named, nothing crashes or hangs.
 #include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/weld.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/scratch_folder.h"
@@ -51,8 +53,8 @@ class MeshFile : public ::testing::Test {
     std::ofstream(folder_.path() / name, std::ios::binary) << content;
     return folder_.path() / name;
   }
-  Mesh load(const std::string& name, const std::string& content) {
-    return load_mesh_file(write(name, content));
+  Mesh load(const std::string& name, const std::string& content, const MeshOptions& options = {}) {
+    return load_mesh_file(write(name, content), options);
   }
 
   /// The message of the input error that loading ends in.
@@ -96,8 +98,9 @@ double volume_of(const Mesh& mesh) {
 }
 
 void expect_tetrahedron(const Mesh& mesh) {
-  EXPECT_EQ(mesh.positions.size(), 4U);
-  EXPECT_EQ(mesh.normals.size(), 4U);
+  const std::vector<uint32_t> first = first_at_same_position(mesh.positions);
+  EXPECT_EQ(std::set<uint32_t>(first.begin(), first.end()).size(), 4U);
+  EXPECT_EQ(mesh.normals.size(), 12U) << "sharp at all edges";
   EXPECT_EQ(mesh.triangles.size(), 4U);
   EXPECT_NEAR(volume_of(mesh), 1.0 / 6.0, 1e-12);
 }
@@ -155,7 +158,7 @@ std::string binary_ply(bool big_endian) {
 }
 
 TEST_F(MeshFile, rabbit_has_its_known_counts_and_is_whole) {
-  const Mesh mesh = load_mesh_file(find_rabbit());
+  const Mesh mesh = load_mesh_file(find_rabbit(), {.smooth_below_deg = 180.0});
   EXPECT_EQ(mesh.positions.size(), 34'835U);
   EXPECT_EQ(mesh.triangles.size(), 69'666U);
   EXPECT_THAT(mesh.notes, ::testing::IsEmpty());
@@ -208,7 +211,7 @@ TEST_F(MeshFile, windows_line_ends_and_byte_order_mark_do_not_matter) {
 
 TEST_F(MeshFile, stl_corners_at_one_place_become_one_vertex_with_a_smooth_normal) {
   for (const std::string& content : {ascii_stl(), binary_stl()}) {
-    const Mesh mesh = load("t.stl", content);
+    const Mesh mesh = load("t.stl", content, {.smooth_below_deg = 180.0});
     ASSERT_EQ(mesh.positions.size(), 4U);
     for (size_t i = 0; i < 4; ++i) {
       if (mesh.positions[i] != glm::vec3(0)) continue;
@@ -255,25 +258,17 @@ TEST_F(MeshFile, file_normals_are_kept_at_unit_length) {
   EXPECT_EQ(ply.normals, obj.normals);
 }
 
-TEST_F(MeshFile, file_normals_are_computed_where_one_is_missing_or_unusable) {
+TEST_F(MeshFile, normals_are_computed_at_the_corners_where_the_file_has_no_usable_one) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 1 0\nvn 0 0 0\nvn nan 0 1\n";
-  const std::string note = "Normals are computed from the faces: the file has no usable one for 1 vertex.";
+  const std::string note = "Computed the normals of 1 corner for which the file has none that is usable.";
   for (const std::string face :
        {"f 1//1 2//1 3\n", "f 1//1 2//1 3//2\n", "f 1//1 2//1 3//3\n", "f 1//1 2//1 3//99\n"}) {
     SCOPED_TRACE(face);
     const Mesh mesh = load("n.obj", points + face);
-    EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
+    EXPECT_EQ(mesh.normals[0], glm::vec3(0, 1, 0));
+    EXPECT_EQ(mesh.normals[2], glm::vec3(0, 0, 1));
     EXPECT_THAT(mesh.notes, ::testing::ElementsAre(note));
   }
-}
-
-TEST_F(MeshFile, sharp_edges_in_obj_normals_are_noted_not_drawn_at_random) {
-  const Mesh mesh =
-      load("sharp.obj",
-           "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvn 0 -1 0\nf 1//1 2//1 3//1\nf 2//2 1//2 4//2\n");
-  EXPECT_THAT(
-      mesh.notes,
-      Contains("Normals are computed from the faces: the file gives 2 vertices several different ones."));
 }
 
 TEST_F(MeshFile, missing_folder_empty_and_unknown_files_are_named) {
@@ -436,10 +431,10 @@ TEST_F(MeshFile, non_manifold_edges_are_kept_and_counted) {
   EXPECT_THAT(mesh.notes, Contains("Kept 1 non-manifold edge, shared by more than two faces."));
 }
 
-TEST_F(MeshFile, edges_between_faces_turned_opposite_ways_are_counted) {
+TEST_F(MeshFile, a_face_that_lies_against_its_neighbours_is_turned_over) {
   const Mesh mesh = load("o.obj", replaced(kTetrahedronObj, "f 1 3 2", "f 1 2 3"));
-  EXPECT_THAT(mesh.notes, Contains(HasSubstr("Kept 3 edges between faces turned opposite ways")));
-  EXPECT_EQ(mesh.triangles.size(), 4U);
+  EXPECT_THAT(mesh.notes, ElementsAre("Turned 1 face over that lay against the neighbours."));
+  expect_tetrahedron(mesh);
 }
 
 TEST_F(MeshFile, no_face_or_none_left_is_an_error) {

@@ -41,7 +41,22 @@ TEST_P(MeshWrite, keeps_small_and_large_numbers) {
   for (glm::vec3& p : mesh.positions) p = p * 1.2345678e-20F + glm::vec3(0, 7.6543e18F, 0);
   mesh.positions[0].y = -7.6543e18F;
   write_mesh_file(mesh, folder.path() / name(), GetParam());
-  EXPECT_EQ(load_mesh_file(folder.path() / name()).positions, mesh.positions);
+  const Mesh back = load_mesh_file(folder.path() / name());
+  ASSERT_EQ(back.positions.size(), mesh.positions.size());
+  for (size_t i = 0; i < back.positions.size(); ++i)
+    EXPECT_EQ(back.origin.y + back.unit * back.positions[i].y, mesh.positions[i].y);
+}
+
+TEST_P(MeshWrite, writes_a_far_mesh_where_its_file_has_it) {
+  const TemporaryFolder folder;
+  Mesh mesh = make_box(1);
+  mesh.origin = {500'000.25, -3e6, 12.5};
+  write_mesh_file(mesh, folder.path() / name(), GetParam());
+  const Mesh back = load_mesh_file(folder.path() / name());
+  for (size_t i = 0; i < back.positions.size(); ++i) {
+    const glm::dvec3 place = back.origin + back.unit * glm::dvec3(back.positions[i]);
+    EXPECT_LT(glm::distance(place, mesh.origin + glm::dvec3(mesh.positions[i])), 1e-6);
+  }
 }
 
 TEST_P(MeshWrite, a_folder_that_cannot_be_written_to_is_an_error) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From raw polygons to the drawable mesh, its normals and bounds, and the way through the pipe.
-#include "pipeline/mesh/polygon_soup.h"
+#include "pipeline/mesh/mesh_from_soup.h"
 #include "pipeline/mesh/normals.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,6 @@
 #include "pipeline/base/error.h"
 #include "pipeline/mesh/formats/mesh_file.h"
 #include "pipeline/mesh/formats/soup_transfer.h"
-#include "pipeline/mesh/triangulate.h"
 
 namespace inkbench {
 namespace {
@@ -44,6 +43,7 @@ PolygonSoup one_triangle() {
 TEST(PolygonSoupToMesh, clean_soup_with_normals_needs_no_note) {
   PolygonSoup soup = one_triangle();
   soup.normals = {{0, 0, 5}, {0, 0, 1e-30F}, {0, 0, 3e38F}};
+  soup.corner_normals = {0, 1, 2};
   const Mesh mesh = mesh_from_soup(soup, "x");
   EXPECT_THAT(mesh.notes, ::testing::IsEmpty());
   EXPECT_THAT(mesh.normals, ::testing::Each(glm::vec3(0, 0, 1)));
@@ -85,7 +85,7 @@ TEST(PolygonSoupToMesh, polygons_of_any_corner_count_and_index_are_survived) {
 TEST(PolygonSoupToMesh, tiny_and_huge_triangles_have_area_and_unit_normals) {
   for (const float scale : {1e-44F, 1e-20F, 1e18F, 3e38F}) {
     PolygonSoup soup = one_triangle();
-    for (glm::vec3& point : soup.points) point *= scale;
+    for (glm::dvec3& point : soup.points) point *= scale;
     const Mesh mesh = mesh_from_soup(soup, "x");
     EXPECT_THAT(mesh.normals, ::testing::Each(glm::vec3(0, 0, 1))) << scale;
   }
@@ -95,6 +95,7 @@ TEST(PolygonSoupToMesh, an_unused_bad_normal_does_not_spoil_the_others) {
   PolygonSoup soup = one_triangle();
   soup.points.emplace_back(kNotANumber);
   soup.normals = {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}, {kNotANumber, 0, 0}};
+  soup.corner_normals = {0, 1, 2};
   const Mesh mesh = mesh_from_soup(soup, "x");
   EXPECT_THAT(mesh.normals, ::testing::Each(glm::vec3(0, 1, 0)));
   EXPECT_THAT(mesh.notes, ElementsAre("Removed 1 isolated vertex that no drawn face uses."));
@@ -110,18 +111,6 @@ TEST(PolygonSoupToMesh, a_soup_without_a_drawable_face_is_an_input_error) {
     EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_THAT(error.what(), HasSubstr("flat.obj: no face can be drawn: Dropped 1 face without area."));
   }
-}
-
-TEST(Triangulate, a_large_polygon_is_a_fan) {
-  std::vector<glm::vec3> points;
-  std::vector<int32_t> polygon;
-  for (int i = 0; i < 1000; ++i) {
-    points.emplace_back(std::cos(i * 0.00628318F), std::sin(i * 0.00628318F), 0.0F);
-    polygon.push_back(i);
-  }
-  std::vector<std::array<uint32_t, 3>> triangles;
-  EXPECT_TRUE(triangulate(points, polygon, triangles));
-  EXPECT_EQ(triangles.size(), 998U);
 }
 
 TEST(SmoothNormals, weigh_faces_by_their_angle_not_by_their_count) {
@@ -162,15 +151,15 @@ std::vector<uint8_t> sent(const PolygonSoup& soup) {
 TEST(SoupTransfer, what_is_sent_arrives) {
   PolygonSoup soup = one_triangle();
   soup.normals.resize(3, glm::vec3(1, 2, 3));
+  soup.corner_normals = {2, 1, 0};
   soup.empty_polygons = 5;
-  soup.split_normals = 7;
   const PolygonSoup back = receive_soup(sent(soup));
   EXPECT_EQ(back.points, soup.points);
   EXPECT_EQ(back.normals, soup.normals);
   EXPECT_EQ(back.corner_counts, soup.corner_counts);
   EXPECT_EQ(back.corners, soup.corners);
   EXPECT_EQ(back.empty_polygons, 5U);
-  EXPECT_EQ(back.split_normals, 7U);
+  EXPECT_EQ(back.corner_normals, soup.corner_normals);
 }
 
 TEST(SoupTransfer, damaged_bytes_are_refused) {

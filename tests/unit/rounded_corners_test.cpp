@@ -10,7 +10,7 @@
 #include "pipeline/mesh/closed.h"
 #include "pipeline/mesh/formats/mesh_file.h"
 #include "pipeline/mesh/levels/decimation.h"
-#include "pipeline/mesh/polygon_soup.h"
+#include "pipeline/mesh/mesh_from_soup.h"
 #include "pipeline/mesh/shapes/primitives.h"
 #include "tests/unit/support.h"
 
@@ -31,6 +31,7 @@ float stepped(float value, int steps) {
 /// Every triangle with corners of its own, scaled, moved, and each coordinate wrong by up to `steps` floats.
 PolygonSoup soup_of(const Mesh& mesh, float scale, const glm::vec3& offset, int steps) {
   PolygonSoup soup;
+  soup.corners_are_rounded = true;
   uint32_t random = 1;
   for (const auto& t : mesh.triangles) {
     soup.corner_counts.push_back(3);
@@ -41,7 +42,7 @@ PolygonSoup soup_of(const Mesh& mesh, float scale, const glm::vec3& offset, int 
         point[axis] = stepped(point[axis], static_cast<int>((random >> 16) % (2 * steps + 1)) - steps);
       }
       soup.corners.push_back(static_cast<int32_t>(soup.points.size()));
-      soup.points.push_back(point);
+      soup.points.emplace_back(point);
     }
   }
   return soup;
@@ -56,7 +57,10 @@ std::string binary_stl_of(const PolygonSoup& soup) {
   append(&facets, 4);
   for (uint32_t facet = 0; facet < facets; ++facet) {
     bytes.append(12, '\0');
-    append(&soup.points[3 * size_t{facet}], 36);
+    for (size_t corner = 0; corner < 3; ++corner) {
+      const glm::vec3 point = soup.points[3 * size_t{facet} + corner];
+      append(&point, 12);
+    }
     bytes.append(2, '\0');
   }
   return bytes;
@@ -71,15 +75,15 @@ TEST(RoundedCorners, meet_again_whatever_the_unit_and_the_place) {
   for (const auto& [scale, offset, steps] :
        {Case{1, 0, 1}, {1e-20F, 0, 1}, {1e20F, 0, 1}, {1, 5, 1}, {3, -2000, 1}, {40, 1000, 1}}) {
     PolygonSoup soup = soup_of(torus, scale, glm::vec3(offset, -offset, 2 * offset), steps);
+    const MeshOptions smooth{.smooth_below_deg = 180.0};
+    const Mesh mesh = mesh_from_soup(soup, "x", smooth);
+    soup.corners_are_rounded = false;
     EXPECT_FALSE(is_closed_outwards(mesh_from_soup(soup, "x")));
-    merge_rounded_corners(soup);
-    const Mesh mesh = mesh_from_soup(soup, "x");
     EXPECT_EQ(mesh.positions.size(), torus.positions.size()) << scale << " at " << offset;
     EXPECT_EQ(mesh.triangles.size(), torus.triangles.size());
     EXPECT_TRUE(is_closed_outwards(mesh));
     ASSERT_EQ(mesh.notes.size(), 1U);
-    EXPECT_THAT(mesh.notes[0], HasSubstr("Merged 5,760 vertices"));
-    EXPECT_EQ(soup.merged_points, 3 * torus.triangles.size() - torus.positions.size());
+    EXPECT_THAT(mesh.notes[0], HasSubstr("vertices into others that rounding alone kept apart"));
   }
 }
 
@@ -90,11 +94,8 @@ TEST(RoundedCorners, what_lies_further_apart_stays_apart) {
     for (int i = 0; i < 3; ++i) soup.corners.push_back(static_cast<int32_t>(soup.corners.size()));
     soup.corner_counts.push_back(3);
   }
-  PolygonSoup merged = soup;
-  merge_rounded_corners(merged);
-  EXPECT_EQ(merged.merged_points, 0U);
-  EXPECT_EQ(merged.points, soup.points);
-  EXPECT_EQ(merged.corners, soup.corners);
+  soup.corners_are_rounded = true;
+  EXPECT_EQ(mesh_from_soup(soup, "x", {.smooth_below_deg = 180.0}).positions.size(), 6U);
 }
 
 TEST(RoundedCorners, soups_without_extent_or_numbers_are_survived) {
@@ -104,22 +105,18 @@ TEST(RoundedCorners, soups_without_extent_or_numbers_are_survived) {
     soup.points.assign(3, point);
     soup.corner_counts = {3};
     soup.corners = {0, 1, 2};
-    merge_rounded_corners(soup);
+    soup.corners_are_rounded = true;
     EXPECT_THAT(error_of([&] { mesh_from_soup(soup, "x"); }), HasSubstr("no face can be drawn"));
   }
-  PolygonSoup none;
-  merge_rounded_corners(none);
-  EXPECT_TRUE(none.points.empty());
 }
 
 TEST(RoundedCorners, points_that_are_no_numbers_and_indices_out_of_range_are_left_to_the_rest) {
   PolygonSoup soup;
   soup.points = {
-      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, std::numeric_limits<float>::quiet_NaN(), 0}, {0, 1e-7F, 0}};
+      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}, {0, 1e-7, 0}};
   soup.corner_counts = {3, 3, 3, 3};
   soup.corners = {0, 1, 2, 3, 1, 2, 4, 1, 99, 4, 0, 1};
-  merge_rounded_corners(soup);
-  EXPECT_EQ(soup.merged_points, 1U);
+  soup.corners_are_rounded = true;
   const Mesh mesh = mesh_from_soup(soup, "x");
   EXPECT_EQ(mesh.triangles.size(), 1U);
   EXPECT_THAT(mesh.notes, Contains(HasSubstr("index 99")));

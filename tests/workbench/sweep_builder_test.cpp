@@ -183,7 +183,7 @@ TEST_F(SweepTest, suggested_ranges_lie_around_the_present_value) {
   settings.mesh.subdivide = 0;
   EXPECT_LE(suggested_axis(settings, "mesh.subdivide").count, 5);
   EXPECT_THAT(suggested_axis(settings, "combine.use_depth").values, SizeIs(2));
-  EXPECT_THAT(suggested_axis(settings, "mesh.normals").values, SizeIs(3));
+  EXPECT_THAT(suggested_axis(settings, "mesh.normals").values, SizeIs(4));
 }
 
 TEST_F(SweepTest, the_middle_of_a_suggested_range_is_the_present_value) {

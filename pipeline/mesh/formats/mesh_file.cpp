@@ -91,14 +91,14 @@ PolygonSoup read_soup(const fs::path& path) {
   const MeshSource source = prepare_mesh(format, name, read_raw(path));
   PolygonSoup soup = read_isolated(source, name);
   account_for_faces(source, soup, name);
-  if (format == MeshFormat::stl) merge_rounded_corners(soup);
+  soup.corners_are_rounded = format == MeshFormat::stl;
   return soup;
 }
 
 }  // namespace
 
-Mesh load_mesh_file(const fs::path& path) {
-  return mesh_from_soup(read_soup(path), path.string());
+Mesh load_mesh_file(const fs::path& path, const MeshOptions& options) {
+  return mesh_from_soup(read_soup(path), path.string(), options);
 }
 
 fs::path find_rabbit() {

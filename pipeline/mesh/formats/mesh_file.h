@@ -6,18 +6,14 @@
 
 #include <filesystem>
 
-#include "pipeline/mesh/mesh.h"
+#include "pipeline/mesh/mesh_from_soup.h"
 
 namespace inkbench {
 
-/// Reads a mesh and keeps all that can be drawn. Normals come from the file where it has exactly one for each
-/// vertex, else they are computed (`smooth_normals`). Polygons become triangles; STL corners at one place
-/// become one vertex, and so do those that rounding alone keeps apart (`merge_rounded_corners`). Faces that
-/// cannot be drawn (NaN or infinite corner, index out of range, zero area) are dropped and counted in
-/// `notes`; so are isolated vertices; non-manifold edges are drawn and noted. Errors (input): missing, empty,
+/// Reads a mesh and keeps all that can be drawn, as `mesh_from_soup` says. Errors (input): missing, empty,
 /// truncated, not of the format its name says, unknown format, or no face left, each with the file's name
 /// (and line), what was found and what would be right.
-Mesh load_mesh_file(const std::filesystem::path& path);
+Mesh load_mesh_file(const std::filesystem::path& path, const MeshOptions& options = {});
 
 /// Where the rabbit lies: $INKBENCH_RABBIT, else bunny.obj of Debian's package glmark2-data.
 /// Errors (input): which package to install and which variable to set.

@@ -27,21 +27,16 @@ glm::vec3 to_vec3(const Vec3f& v) {
   return {coordinate(v[0]), coordinate(v[1]), coordinate(v[2])};
 }
 
-bool differs(const glm::vec3& a, const glm::vec3& b) {
-  const glm::vec3 difference = a - b;
-  return glm::dot(difference, difference) > 1e-6F * glm::dot(a, a);
-}
-
 /// Takes down what a reader finds, without half-edges, which would refuse non-manifold faces.
 class SoupImporter : public IO::BaseImporter {
  public:
   PolygonSoup take_soup() {
-    for (const bool is_split : split_) soup_.split_normals += is_split ? 1 : 0;
+    if (!soup_.normals.empty()) soup_.corner_normals = soup_.corners;
     return std::move(soup_);
   }
 
   VertexHandle add_vertex(const Vec3f& point) override {
-    soup_.points.push_back(to_vec3(point));
+    soup_.points.emplace_back(to_vec3(point));
     if (!soup_.normals.empty()) soup_.normals.emplace_back(0.0F);
     return VertexHandle(static_cast<int>(soup_.points.size()) - 1);
   }
@@ -62,13 +57,7 @@ class SoupImporter : public IO::BaseImporter {
   void set_normal(VertexHandle vertex, const Vec3f& value) override {
     if (!is_vertex(vertex)) return;
     soup_.normals.resize(soup_.points.size(), glm::vec3(0.0F));
-    glm::vec3& stored = soup_.normals[index(vertex)];
-    const glm::vec3 normal = to_vec3(value);
-    if (stored != glm::vec3(0.0F) && differs(stored, normal)) {
-      split_.resize(soup_.points.size());
-      split_[index(vertex)] = true;
-    }
-    stored = normal;
+    soup_.normals[index(vertex)] = to_vec3(value);
   }
   void set_normal(VertexHandle vertex, const Vec3d& normal) override { set_normal(vertex, Vec3f(normal)); }
 
@@ -117,7 +106,6 @@ class SoupImporter : public IO::BaseImporter {
   }
 
   PolygonSoup soup_;
-  std::vector<bool> split_;
 };
 
 /// A read-only stream over bytes that stay where they are.

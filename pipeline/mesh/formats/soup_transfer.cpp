@@ -34,12 +34,13 @@ void take(std::span<const uint8_t>& bytes, uint64_t length, std::vector<T>& arra
 
 void send_soup(const PolygonSoup& soup, const ByteSink& sink) {
   const Head head{soup.points.size(),  soup.normals.size(), soup.corner_counts.size(),
-                  soup.corners.size(), soup.empty_polygons, soup.split_normals};
+                  soup.corners.size(), soup.empty_polygons, soup.corner_normals.size()};
   sink(bytes_of(head));
   sink(bytes_of(soup.points));
   sink(bytes_of(soup.normals));
   sink(bytes_of(soup.corner_counts));
   sink(bytes_of(soup.corners));
+  sink(bytes_of(soup.corner_normals));
 }
 
 PolygonSoup receive_soup(std::span<const uint8_t> bytes) {
@@ -52,10 +53,10 @@ PolygonSoup receive_soup(std::span<const uint8_t> bytes) {
   take(bytes, head[1], soup.normals);
   take(bytes, head[2], soup.corner_counts);
   take(bytes, head[3], soup.corners);
+  take(bytes, head[5], soup.corner_normals);
   soup.empty_polygons = head[4];
-  soup.split_normals = head[5];
   const uint64_t corners = std::accumulate(soup.corner_counts.begin(), soup.corner_counts.end(), uint64_t{0});
-  const bool normals_match = soup.normals.empty() || soup.normals.size() == soup.points.size();
+  const bool normals_match = soup.corner_normals.empty() || soup.corner_normals.size() == corners;
   if (!bytes.empty() || corners != soup.corners.size() || !normals_match) throw damaged();
   return soup;
 }

@@ -160,6 +160,9 @@ Mesh mesh_at_level(const Mesh& mesh, const CollapseRecord& record, size_t asked_
   const std::vector<uint32_t> stands_for = replay(record, count);
   Mesh level;
   level.notes = mesh.notes;
+  level.origin = mesh.origin;
+  level.unit = mesh.unit;
+  level.has_given_normals = mesh.has_given_normals;
   level.triangles.reserve(record.faces[count]);
   for (size_t face = 0; face < record.corners.size(); ++face) {
     const Triangle& t = record.corners[face];

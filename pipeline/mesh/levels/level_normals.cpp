@@ -38,6 +38,8 @@ void apply_flat_normals(Mesh& level) {
 
 void apply_level_normals(Mesh& level, LevelNormals kind, const Mesh& full) {
   switch (kind) {
+    case LevelNormals::model:
+      return full.has_given_normals ? void() : smooth_normals(level);
     case LevelNormals::smooth:
       return smooth_normals(level);
     case LevelNormals::flat:
@@ -51,8 +53,9 @@ Mesh level_with_normals(const Mesh& mesh, const CollapseRecord& record, size_t a
                         LevelNormals kind) {
   Mesh level = mesh_at_level(mesh, record, asked_faces);
   const bool is_as_loaded = level.triangles.size() == mesh.triangles.size();
-  if (kind == LevelNormals::flat || (kind == LevelNormals::smooth && !is_as_loaded))
-    apply_level_normals(level, kind, mesh);
+  const bool is_computed =
+      kind == LevelNormals::smooth || (kind == LevelNormals::model && !mesh.has_given_normals);
+  if (kind == LevelNormals::flat || (is_computed && !is_as_loaded)) apply_level_normals(level, kind, mesh);
   return level;
 }
 

@@ -33,7 +33,11 @@ class MeshLadder {
  private:
   bool decimates(const MeshParams& level) const;
 
+  /// What `model` means for this model.
+  LevelNormals normals_of(const MeshParams& level) const;
+
   int rounds_;
+  ModelNormals model_normals_;
   std::shared_ptr<const Mesh> full_, subdivided_;
   std::optional<CollapseRecord> record_;  ///< Of `subdivided_`.
 };

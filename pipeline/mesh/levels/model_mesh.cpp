@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
 
+#include "pipeline/mesh/corner_normals.h"
 #include "pipeline/mesh/formats/mesh_file.h"
 #include "pipeline/mesh/shapes/primitives.h"
 
@@ -13,10 +14,21 @@ std::filesystem::path mesh_path(const std::string& mesh) {
   return mesh == kRabbit ? find_rabbit() : std::filesystem::path(mesh);
 }
 
-Mesh make_model_mesh(const ModelParams& model) {
+MeshOptions mesh_options(const ModelParams& model) {
+  MeshOptions options{.use_file_normals = model.normals == ModelNormals::file,
+                      .smooth_below_deg = model.smooth_angle,
+                      .outwards = model.orient == Orient::outward};
+  if (model.normals == ModelNormals::smooth) options.smooth_below_deg = 180.0;
+  if (model.normals == ModelNormals::flat) options.smooth_below_deg = 0.0;
+  return options;
+}
+
+namespace {
+
+Mesh make_shape(const ModelParams& model) {
   switch (model.shape) {
     case Shape::mesh:
-      return load_mesh_file(mesh_path(model.mesh));
+      break;
     case Shape::box:
       return make_box(model.segments);
     case Shape::rounded_box:
@@ -33,11 +45,21 @@ Mesh make_model_mesh(const ModelParams& model) {
   return {};
 }
 
+}  // namespace
+
+Mesh make_model_mesh(const ModelParams& model) {
+  const MeshOptions options = mesh_options(model);
+  if (model.shape == Shape::mesh) return load_mesh_file(mesh_path(model.mesh), options);
+  Mesh mesh = make_shape(model);
+  if (!options.use_file_normals) recompute_normals(mesh, {options.smooth_below_deg, {}});
+  return mesh;
+}
+
 glm::mat4 model_matrix(const ModelParams& model, const Bounds& bounds) {
   const glm::vec3 extent = bounds.high - bounds.low;
   const float longest = std::max({extent.x, extent.y, extent.z, 1e-20F});
-  const float fit = model.size > 0.0F ? model.size / longest : 1.0F;
-  glm::vec3 anchor(0.0F);
+  const float fit = model.size > 0.0F ? model.size / longest : static_cast<float>(bounds.unit);
+  glm::vec3 anchor(-bounds.origin / bounds.unit);
   if (model.anchor == Anchor::base)
     anchor = {(bounds.low.x + bounds.high.x) / 2, bounds.low.y, (bounds.low.z + bounds.high.z) / 2};
   glm::mat4 matrix = glm::translate(glm::mat4(1.0F), model.position);

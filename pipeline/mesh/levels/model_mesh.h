@@ -7,13 +7,16 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 
-#include "pipeline/mesh/mesh.h"
+#include "pipeline/mesh/mesh_from_soup.h"
 #include "pipeline/settings/model.h"
 
 namespace inkbench {
 
 /// The file that a model's `mesh` names. Errors (input): as `find_rabbit`.
 std::filesystem::path mesh_path(const std::string& mesh);
+
+/// How the model wants a file's polygons made a mesh.
+MeshOptions mesh_options(const ModelParams& model);
 
 /// The mesh that the model draws: loaded from `mesh` (see `mesh_path`) or made from the shape's
 /// parameters. Errors (input): as `load_mesh_file`.

@@ -22,6 +22,12 @@ void replace_main_mesh(Settings& settings, const std::filesystem::path& mesh) {
     model.anchor = Anchor::base;
   }
   model.shape = Shape::mesh;
+  // What was said of the old mesh's surface does not hold for the new one.
+  const ModelParams fresh;
+  model.normals = fresh.normals;
+  model.smooth_angle = fresh.smooth_angle;
+  model.orient = fresh.orient;
+  model.two_sided = fresh.two_sided;
   model.mesh = mesh == kRabbit ? mesh.string() : std::filesystem::absolute(mesh).lexically_normal().string();
 }
 

@@ -85,6 +85,8 @@ Mesh subdivide_mesh(const Mesh& mesh, int rounds) {
   loop.detach();
   Mesh subdivided = mesh_of(halfedges);
   subdivided.notes = mesh.notes;
+  subdivided.origin = mesh.origin;
+  subdivided.unit = mesh.unit;
   smooth_normals(subdivided);
   return subdivided;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <string>
 
 #include "pipeline/passes/gbuffer/gpu_mesh.h"
 
@@ -13,6 +14,8 @@ struct DrawItem {
   const GpuMesh* mesh = nullptr;
   glm::mat4 model_to_world{1.0F};
   int object_id = 0;
+  bool two_sided = true;
+  std::string name;  ///< The model's.
 };
 
 /// The box in world space around the box of the item's mesh.

@@ -25,7 +25,8 @@ struct DrawBlock {
   glm::mat4 normal_to_world;
   float object_id;
   float far;
-  float padding[2];
+  float two_sided;
+  float padding;
 };
 
 /// Distance from the eye to the farthest point of the near plane that the image shows.
@@ -38,8 +39,8 @@ float near_corner_distance(const CameraParams& camera, float aspect) {
 /// box. Then leaving them out changes no pixel and saves a third of the pass.
 bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float aspect) {
   if (!item.mesh->closed_outwards()) return false;
-  const auto [low, high] = bounds_in_world(item);
-  const glm::vec3 outside = glm::max(glm::max(low - camera.eye, camera.eye - high), glm::vec3(0.0F));
+  const Bounds box = bounds_in_world(item);
+  const glm::vec3 outside = glm::max(glm::max(box.low - camera.eye, camera.eye - box.high), glm::vec3(0.0F));
   return glm::length(outside) > near_corner_distance(camera, aspect);
 }
 
@@ -71,18 +72,19 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
   glClearBufferfv(GL_COLOR, 0, kNoNormalAndFar.data());
   glClearBufferfv(GL_COLOR, 1, kNoId.data());
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+  beyond_far_->update(items, camera);
   program_.use();
   const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
   const glm::mat4 world_to_clip = projection_matrix(camera, aspect) * view_matrix(camera);
   for (const DrawItem& item : items) {
     const glm::mat4 normal_to_world(glm::transpose(glm::inverse(glm::mat3(item.model_to_world))));
-    const DrawBlock block{world_to_clip * item.model_to_world,
-                          normal_to_world,
-                          static_cast<float>(item.object_id),
-                          camera.far,
-                          {}};
+    const DrawBlock block{world_to_clip * item.model_to_world, normal_to_world,
+                          static_cast<float>(item.object_id),  camera.far,
+                          item.two_sided ? 1.0F : 0.0F,        0.0F};
     const Buffer uniforms("draw block", bytes_of(std::span(&block, 1)));
     bind_uniform_blocks({&uniforms});
+    // A mirrored model's faces turn the other way on the screen.
+    glFrontFace(glm::determinant(glm::mat3(item.model_to_world)) < 0.0F ? GL_CW : GL_CCW);
     (back_faces_hidden(item, camera, aspect) ? glEnable : glDisable)(GL_CULL_FACE);
     item.mesh->draw();
   }

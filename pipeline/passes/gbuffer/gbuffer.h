@@ -3,10 +3,12 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <memory>
 #include <span>
 
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
+#include "pipeline/passes/gbuffer/beyond_far.h"
 #include "pipeline/passes/gbuffer/draw_item.h"
 #include "pipeline/settings/camera.h"
 
@@ -30,6 +32,7 @@ class GBufferPass {
 
  private:
   Program program_;
+  std::unique_ptr<BeyondFarNotes> beyond_far_ = std::make_unique<BeyondFarNotes>();
 };
 
 }  // namespace inkbench

@@ -86,6 +86,8 @@ bool MeshStore::can_get(const ModelParams& model, const MeshParams& level) {
 Key MeshStore::full_identity(const ModelParams& model) {
   KeyBuilder builder;
   builder.add(std::to_string(static_cast<int>(model.shape)));
+  builder.add(std::to_string(static_cast<int>(model.normals))).add(shortest(model.smooth_angle));
+  builder.add(std::to_string(static_cast<int>(model.orient)));
   if (model.shape == Shape::mesh) {
     return builder.add(content_key(mesh_path(model.mesh).string())).key();
   }

@@ -54,8 +54,9 @@ std::vector<DrawItem> draw_items(const Settings& settings, const ModelMeshes& me
   std::vector<DrawItem> items;
   for (size_t i = 0; i < meshes.size(); ++i) {
     if (meshes[i] == nullptr) continue;
-    items.push_back(
-        {meshes[i].get(), model_matrix(settings.models[i], meshes[i]->placement()), static_cast<int>(i) + 1});
+    const ModelParams& model = settings.models[i];
+    items.push_back({meshes[i].get(), model_matrix(model, meshes[i]->placement()), static_cast<int>(i) + 1,
+                     model.two_sided, model.name});
   }
   return items;
 }
