@@ -2,67 +2,155 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
 #include "pipeline/image/image_file.h"
+#include "pipeline/line_file.h"
+#include "pipeline/lines/class_pixels.h"
 #include "studies/measures/diff_picture.h"
 #include "studies/measures/measures.h"
 
 namespace inkbench {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct ScoreOptions {
-  std::string prediction, reference, diff;
-  double tolerance_px = kTolerancePx;
+  std::string prediction, reference, diff, invert = "auto";
+  std::optional<double> tolerance_px, cut;
   bool json = false;
+};
+
+/// What is compared, and how.
+struct Scored {
+  LineFile prediction, reference;
+  std::optional<LineMap> allowed;  ///< Tier 2, where the reference says what it is.
+  double tolerance_px = kTolerancePx;
+
+  LinesToMeasure lines() const {
+    return {.prediction = prediction.lines,
+            .reference = reference.lines,
+            .allowed = allowed ? &*allowed : nullptr,
+            .tolerance_px = tolerance_px};
+  }
 };
 
 std::string size_text(const LineMap& map) {
   return fmt::format("{} x {}", map.width_px(), map.height_px());
 }
 
-void check_tolerance(double tolerance_px) {
-  if (tolerance_px >= kToleranceFromPx && tolerance_px <= kToleranceToPx) return;  // false for NaN too
-  throw input_error("--tolerance", fmt::format("{} is out of range", shortest(tolerance_px)),
-                    fmt::format("give {} to {} px", kToleranceFromPx, kToleranceToPx));
+/// False of NaN, too.
+void check_range(const char* option, const std::optional<double>& value, double from, double to,
+                 const char* unit) {
+  if (!value || (*value >= from && *value <= to)) return;
+  throw input_error(option, fmt::format("{} is out of range", shortest(*value)),
+                    fmt::format("give {} to {}{}", from, to, unit));
 }
 
-/// Black lines on white are the usual mistake, and every number would be about the paper.
-void note_if_inverted(const std::string& path, const LineMap& map) {
-  const int64_t pixels = int64_t{map.width_px()} * map.height_px();
-  if (2 * map.count() <= pixels) return;
-  log_note(path + " is more than half line: lines are white (over 127) on black");
+Invert invert_of(const std::string& word) {
+  return word == "yes" ? Invert::yes : word == "no" ? Invert::no : Invert::automatic;
 }
 
-void score(const ScoreOptions& options) {
-  check_tolerance(options.tolerance_px);
-  const LineMap prediction = read_line_map(options.prediction), reference = read_line_map(options.reference);
+Scored read_both(const ScoreOptions& options) {
+  check_range("--tolerance", options.tolerance_px, kToleranceFromPx, kToleranceToPx, " px");
+  check_range("--cut", options.cut, 0, 1, "");
+  const LineFileOptions reading{invert_of(options.invert), options.cut};
+  Scored scored{read_line_file(options.prediction, reading), read_line_file(options.reference, reading), {}};
+  const LineMap &prediction = scored.prediction.lines, &reference = scored.reference.lines;
   if (!prediction.same_size(reference)) {
     throw input_error(
         options.prediction,
         fmt::format("is {}, but {} is {}", size_text(prediction), options.reference, size_text(reference)),
         "both must have the same size");
   }
-  if (!options.diff.empty()) {
-    write_png(options.diff, diff_picture(prediction, reference, options.tolerance_px), {});
+  if (const auto& classes = scored.reference.classes) {
+    scored.allowed = tier_map(classes->pixels, classes->judge, 2);
+    scored.tolerance_px = classes->judge.tolerance;  // as the scene's judge has it
   }
-  const DrawingTally tally =
-      tally_maps({.prediction = prediction, .reference = reference, .tolerance_px = options.tolerance_px});
-  if (options.json) {
-    fmt::print("{}\n", measures_json(measures_of_maps(), tally));
-    return;
+  scored.tolerance_px = options.tolerance_px.value_or(scored.tolerance_px);
+  return scored;
+}
+
+DrawingTally tally_of(const Scored& scored) {
+  DrawingTally tally = tally_maps(scored.lines());
+  if (const auto& classes = scored.reference.classes) {
+    for (size_t i = 0; i < kLineClasses.size(); ++i)
+      tally.recall[i] = tally_recall(scored.prediction.lines, class_map(classes->pixels, kLineClasses[i]),
+                                     scored.tolerance_px);
   }
-  note_if_inverted(options.prediction, prediction);
-  note_if_inverted(options.reference, reference);
+  return tally;
+}
+
+std::vector<std::string> notes_of(const Scored& scored) {
+  std::vector<std::string> notes;
+  for (const LineFile* file : {&scored.prediction, &scored.reference}) {
+    for (const std::string& note : file->notes) {
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    }
+  }
+  return notes;
+}
+
+std::vector<std::string> classes_of_tier(const JudgeParams& judge, int wanted_tier) {
+  std::vector<std::string> names;
+  for (const LineClass line_class : kLineClasses) {
+    if (tier(judge, line_class) == wanted_tier) names.emplace_back(name_of(line_class));
+  }
+  return names;
+}
+
+Json side_json(const std::string& path, const LineFile& file) {
+  Json side{{"file", path}};
+  side["buffer"] = file.buffer ? Json(name_of(*file.buffer)) : Json();
+  side["inverted"] = file.cut.inverted;
+  side["cut"] = file.classes ? Json() : Json(file.cut.value);
+  if (file.classes) {
+    side["wanted"] = classes_of_tier(file.classes->judge, 1);
+    side["allowed"] = classes_of_tier(file.classes->judge, 2);
+  }
+  return side;
+}
+
+/// The measures' own text with what was decided behind it: their numbers stay as they are written.
+std::string score_json(const ScoreOptions& options, const Scored& scored, const DrawingTally& tally) {
+  std::string json = measures_json(measures_of_maps(scored.reference.classes.has_value()), tally);
+  json.pop_back();
+  Json decided{{"tolerance_px", scored.tolerance_px},
+               {"prediction", side_json(options.prediction, scored.prediction)},
+               {"reference", side_json(options.reference, scored.reference)},
+               {"notes", notes_of(scored)}};
+  return json + ", " + decided.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
+}
+
+void print_table(const ScoreOptions& options, const Scored& scored, const DrawingTally& tally) {
   fmt::print("{} against {}, {}, tolerance {} px\n", options.prediction, options.reference,
-             size_text(prediction), shortest(options.tolerance_px));
+             size_text(scored.prediction.lines), shortest(scored.tolerance_px));
+  const auto& classes = scored.reference.classes;
+  if (classes)
+    fmt::print("wanted: {}; allowed: {}\n", join(classes_of_tier(classes->judge, 1), ", "),
+               join(classes_of_tier(classes->judge, 2), ", "));
   if (tally.lines.empty())
     fmt::print("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
-  fmt::print("{}", measures_table(measures_of_maps(), tally));
+  fmt::print("{}", measures_table(measures_of_maps(classes.has_value()), tally));
   if (!options.diff.empty()) fmt::print("{}\n", options.diff);
+}
+
+void score(const ScoreOptions& options) {
+  const Scored scored = read_both(options);
+  if (!options.diff.empty()) {
+    const LinesToMeasure lines = scored.lines();
+    write_png(options.diff,
+              diff_picture(lines.prediction, lines.reference, lines.tolerance_px, lines.allowed), {});
+  }
+  const DrawingTally tally = tally_of(scored);
+  for (const std::string& note : notes_of(scored)) log_note(note);
+  if (options.json) return fmt::print("{}\n", score_json(options, scored, tally));
+  print_table(options, scored, tally);
 }
 
 }  // namespace
@@ -70,16 +158,28 @@ void score(const ScoreOptions& options) {
 void add_score_command(CLI::App& app) {
   auto options = std::make_shared<ScoreOptions>();
   CLI::App* command = app.add_subcommand("score", "Measure drawn lines against reference lines");
-  command->add_option("PRED", options->prediction, "The drawn lines: an image, over 127 = line")->required();
-  command->add_option("REF", options->reference, "The lines that should be there, of the same size")
+  command->add_option("PRED", options->prediction, "The drawn lines: an image")->required();
+  command
+      ->add_option("REF", options->reference,
+                   "The lines that should be there, of the same size; the buffer reference says its classes")
       ->required();
   command->add_option("--tolerance", options->tolerance_px,
-                      "How far apart two pixels may be to match, in px, 0 to 100; 2 without it");
+                      "How far apart two pixels may be to match, in px, 0 to 100; without it the reference's "
+                      "judge.tolerance, or 2");
+  command->add_option("--cut", options->cut,
+                      "Values from here on are line, 0 to 1; 0.5 without it (of 8 bits: over 127)");
+  command
+      ->add_option("--invert", options->invert,
+                   "Lines are dark on light: yes, no, or auto (without it): of each image what is less ink")
+      ->check(CLI::IsMember({"auto", "yes", "no"}));
   command->add_flag("--json", options->json, "Print one JSON object and nothing else");
   command->add_option("--diff", options->diff,
-                      "Also write a PNG: matched black, missed blue, false vermillion");
+                      "Also write a PNG: matched black, missed blue, false vermillion, allowed grey");
   command->footer(
-      "Example:\n  inkbench score out/a/combined_edges.png out/b/combined_edges.png --diff out/diff.png");
+      "Images that inkbench wrote say themselves what of them is line.\n"
+      "Examples:\n  inkbench render --buffers lines,reference --out out/a\n"
+      "  inkbench score out/a/lines.png out/a/reference.png --diff out/diff.png\n"
+      "  inkbench score scan.png out/a/reference.png --cut 0.4 --json");
   command->callback([options] { score(*options); });
 }
 

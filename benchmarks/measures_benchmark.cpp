@@ -24,12 +24,7 @@ using namespace inkbench;
 constexpr int kSidePx = 1024;
 
 LineMap drawn_lines(Pipeline& pipeline, const Settings& settings) {
-  const Picture picture = pipeline.at(settings).picture(BufferName::combined_edges);
-  LineMap map(picture.width_px, picture.height_px);
-  for (int y = 0; y < map.height_px(); ++y) {
-    for (int x = 0; x < map.width_px(); ++x) map.set(x, y, picture.at(x, y) > 127);
-  }
-  return map;
+  return line_map_from(pipeline.at(settings).raw(BufferName::lines));
 }
 
 /// Moved by `shift_px` to the right and turned about the middle.

@@ -66,7 +66,7 @@ void draw_cells(const StudySpec& spec, const fs::path& folder) {
     const Settings settings = view_settings(spec, make_cell(spec, place.cell), place.view);
     const Frame frame = pipeline.at(settings);
     const auto picture = std::make_shared<Picture>(frame.picture(BufferName::final));
-    benchmark::DoNotOptimize(frame.raw(BufferName::combined_edges));  // whose ink is counted
+    benchmark::DoNotOptimize(frame.raw(BufferName::lines));  // whose ink is counted
     encoders.add([&folder, place, settings, picture] {
       write_png(folder / (std::to_string(place.cell) + ".png"), *picture,
                 export_text(settings, BufferName::final));

@@ -70,7 +70,7 @@ Explanation explain_pixel(const Frame& frame, int x, int y) {
   Explanation explanation = detector.explain(maps, frame.settings(), x - left, y - top);
   explanation.x = x;
   explanation.y = y;
-  explanation.drawn = frame.pixel(frame.lines(), x, y).at(0, 0);
+  explanation.drawn = frame.pixel(detector.strength(), x, y).at(0, 0);
   return explanation;
 }
 

@@ -3,6 +3,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/lines/class_pixels.h"
 #include "pipeline/lines/drawing.h"
 #include "pipeline/passes/lines/reference.h"
 #include "pipeline/settings/settings_file.h"
@@ -11,16 +12,18 @@ namespace inkbench {
 namespace {
 
 constexpr const char* kVersionEntry = "inkbench:version";
-constexpr const char* kBufferEntry = "inkbench:buffer";
 constexpr const char* kSettingsEntry = "inkbench:settings";
 
 }  // namespace
 
 ImageText export_text(const Settings& settings, BufferName buffer) {
-  return {{"Software", "inkbench " INKBENCH_VERSION},
-          {kVersionEntry, INKBENCH_VERSION},
-          {kBufferEntry, std::string(name_of(buffer))},
-          {kSettingsEntry, settings_text(settings)}};
+  ImageText text{{"Software", "inkbench " INKBENCH_VERSION},
+                 {kVersionEntry, INKBENCH_VERSION},
+                 {std::string(kBufferEntry), std::string(name_of(buffer))},
+                 {kSettingsEntry, settings_text(settings)}};
+  if (buffer.info().as_lines == ReadAsLines::classes)
+    text.emplace(std::string(kClassesEntry), class_bit_names());
+  return text;
 }
 
 bool has_origin(const std::filesystem::path& image) {
@@ -36,7 +39,8 @@ ImageOrigin read_origin(const std::filesystem::path& image) {
   ImageOrigin origin;
   origin.settings = parse_settings(settings, image.string() + " (metadata)", "/");
   origin.buffer =
-      parse_buffers({read_image_text(image, kBufferEntry)}, image.string() + " (metadata)").front();
+      parse_buffers({read_image_text(image, std::string(kBufferEntry))}, image.string() + " (metadata)")
+          .front();
   origin.version = read_image_text(image, kVersionEntry);
   return origin;
 }

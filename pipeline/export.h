@@ -4,13 +4,19 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "pipeline/image/image_file.h"
 #include "pipeline/pipeline.h"
 
 namespace inkbench {
 
-/// The metadata of an exported buffer: version, buffer and all settings.
+/// The metadata entry that names the buffer.
+inline constexpr std::string_view kBufferEntry = "inkbench:buffer";
+/// Of `reference`, the one that says which classes its pixels' bits stand for.
+inline constexpr std::string_view kClassesEntry = "inkbench:classes";
+
+/// The metadata of an exported buffer: version, buffer and all settings; of `reference` its classes, too.
 ImageText export_text(const Settings& settings, BufferName buffer);
 
 /// What an exported image says of itself.

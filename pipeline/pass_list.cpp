@@ -5,6 +5,7 @@
 
 #include "pipeline/passes/edges/combine.h"
 #include "pipeline/passes/edges/gradient.h"
+#include "pipeline/passes/edges/lines.h"
 #include "pipeline/passes/edges/range.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/passes/gbuffer/meshes.h"
@@ -21,7 +22,7 @@ std::vector<const PassKind*>& list() {
       &MeshesPass::kind(),   &GBufferPass::kind(),    // scene to maps
       &QuantisePass::kind(),                          //
       &GradientPass::kind(), &RangePass::kind(),      // maps to edges
-      &CombinePass::kind(),                           //
+      &CombinePass::kind(),  &LinesPass::kind(),      //
       &ShadePass::kind(),    &InkPass::kind(),        // light, and ink over it
       &BlinnPhong::kind(),   &ReferencePass::kind(),  // beside the chain
   };

@@ -5,7 +5,6 @@
 
 #include "pipeline/gl/gl_context.h"
 #include "pipeline/pass_list.h"
-#include "pipeline/passes/edges/edge_detector.h"
 #include "pipeline/passes/gbuffer/meshes.h"
 #include "pipeline/passes/lines/reference.h"
 
@@ -174,10 +173,6 @@ Image Frame::raw_part(BufferName buffer, int x, int y, int width_px, int height_
 
 Image Frame::pixel(BufferName buffer, int x, int y) const {
   return raw_part(buffer, x, y, 1, 1);
-}
-
-BufferName Frame::lines() const {
-  return edge_detector(settings()).strength();
 }
 
 std::vector<DrawItem> Frame::draw_items() const {

@@ -60,9 +60,6 @@ class Frame {
   /// The same of one pixel.
   Image pixel(BufferName buffer, int x, int y) const;
 
-  /// What the edge detector of the settings gives: above 0 where a line is drawn.
-  BufferName lines() const;
-
   /// Computes the buffer without reading it back.
   void draw(BufferName buffer) const;
 

@@ -34,8 +34,9 @@ KeyedView FullMeshDesk::refresh(Pipeline& pipeline, const Frame& frame, bool hur
   const Frame full = own_->pipeline.at(settings);
   behind_ = !refresh_lines(pipeline.meshes(), full, hurry);
   if (behind_) return {};
-  const Key key = full.key(full.lines());
-  const auto& edges = edges_.get(key, [&] { return std::make_shared<const Image>(full.raw(full.lines())); });
+  const Key key = full.key(BufferName::lines);
+  const auto& edges =
+      edges_.get(key, [&] { return std::make_shared<const Image>(full.raw(BufferName::lines)); });
   return {{edges, own_->reference.now()->lines}, KeyBuilder().add(key).add(own_->reference.now()->key).key()};
 }
 

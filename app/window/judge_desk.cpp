@@ -11,13 +11,13 @@ namespace {
 constexpr float kReferenceVeil = 0.55F, kMatchesVeil = 0.8F;
 
 JudgedView view_of(const Frame& frame, std::shared_ptr<const ReferenceLines> lines) {
-  return {std::make_shared<Image>(frame.raw(frame.lines())), std::move(lines)};
+  return {std::make_shared<Image>(frame.raw(BufferName::lines)), std::move(lines)};
 }
 
 }  // namespace
 
 void JudgeDesk::refresh_measures(const Frame& frame, const FoundLines& lines, const KeyedView& full) {
-  const Key edges = frame.key(frame.lines());
+  const Key edges = frame.key(BufferName::lines);
   const JudgeParams& params = frame.settings().judge;
   const Key key = KeyBuilder().add(edges).add(lines.key).add(full.key).add(judge_text(params)).key();
   judge_.ask_when_free(key, [&] {

@@ -111,8 +111,8 @@ void Pictures::pin(const Frame& frame) {
     pinned_[buffer].key = KeyBuilder().add("pinned").add(now.key).key();
   }
   pinned_view_ = {
-      {std::make_shared<Image>(frame.raw(frame.lines())), reference_.now()->lines},
-      KeyBuilder().add(shown(frame.lines(), true).key).add(shown(BufferName::reference, true).key).key()};
+      {std::make_shared<Image>(frame.raw(BufferName::lines)), reference_.now()->lines},
+      KeyBuilder().add(shown(BufferName::lines, true).key).add(shown(BufferName::reference, true).key).key()};
   pinned_settings_ = frame.settings();
   throw_gl_errors("pinning the pictures");
 }

@@ -77,7 +77,7 @@ void Viewer::refresh() {
 }
 
 const Explanation& Viewer::explain(int x, int y) {
-  const Key edges = drawn_->key(drawn_->lines());
+  const Key edges = drawn_->key(BufferName::lines);
   const Key key = KeyBuilder().add(edges).add(std::to_string(x)).add(std::to_string(y)).key();
   if (key == explained_) return explanation_;
   explanation_ = explain_pixel(*drawn_, x, y);

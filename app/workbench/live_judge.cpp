@@ -45,10 +45,10 @@ Judgement judge(const JudgeRequest& request, const StopAsked& stop) {
   Judgement result;
   result.id = request.id;
   const ReferenceLines& lines = *request.view.lines;
-  const LineView view = line_view(drawn_lines(*request.view.edges), lines, request.judge);
+  const LineView view = line_view(line_map_from(*request.view.edges), lines, request.judge);
   std::optional<LineView> full;
   if (request.full.edges != nullptr)
-    full = line_view(drawn_lines(*request.full.edges), *request.full.lines, request.judge);
+    full = line_view(line_map_from(*request.full.edges), *request.full.lines, request.judge);
   result.tally =
       tally_view({view, &lines, full ? &*full : nullptr}, request.judge, MeasureNeeds::all(), stop);
   if (stop && stop()) return result;

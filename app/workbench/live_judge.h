@@ -15,7 +15,7 @@
 
 namespace inkbench {
 
-/// One view: raw `combined_edges` (H x W x 1) and the reference lines of the same size. Shared, since both
+/// One view: raw `lines` (H x W x 1) and the reference lines of the same size. Shared, since both
 /// live through many requests; nobody may change them.
 struct JudgedView {
   std::shared_ptr<const Image> edges;

@@ -19,6 +19,14 @@ enum class ShownAs {
   drawing,    ///< Curves, drawn in colours of their own.
 };
 
+/// How an image file of it reads as a line map.
+enum class ReadAsLines {
+  no,       ///< It shows no lines.
+  at_cut,   ///< A strength: from a cut on.
+  above_0,  ///< What a detector gives: wherever it is not 0.
+  classes,  ///< Each pixel says the classes of its lines (pipeline/lines/class_pixels.h).
+};
+
 struct BufferInfo {
   std::string_view name;
   std::string_view help;  ///< One sentence for a person.
@@ -27,6 +35,7 @@ struct BufferInfo {
   int channels = 1;       ///< Of its raw values.
   ShownAs shown_as = ShownAs::grey;
   float DisplayParams::*gain = nullptr;  ///< What its picture is multiplied by; 1 where there is none.
+  ReadAsLines as_lines = ReadAsLines::no;
 };
 
 /// Which buffer: compared by identity, ordered by name. The constants are those that code refers to.
@@ -45,6 +54,7 @@ class BufferName {
   static const BufferName normal_edges;    ///< Mean of the normal map's three gradients (3.4.3).
   static const BufferName depth_edges;     ///< Gradient of the depth map (3.4.3).
   static const BufferName combined_edges;  ///< 0, or the sum of both terms clamped to 1 (3.4.4).
+  static const BufferName lines;           ///< 1 where a line is drawn, else 0: what is measured.
   static const BufferName shaded;          ///< Light through the ramps, no ink (3.1, 3.2).
   static const BufferName final;           ///< Ink over the shading (3.5).
   static const BufferName blinn_phong;     ///< Plain Blinn-Phong, whatever the ramps (3.1).

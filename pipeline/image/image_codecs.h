@@ -22,6 +22,7 @@ struct ImageShape {
   int height_px = 0;
   int depth = 1;
   int channels = 0;
+  bool premultiplied = false;  ///< Of what is decoded: alpha is multiplied into the colours.
 };
 
 /// Where a function tells of a `problem`, that is the library's own text in one line, and the function gives

@@ -95,19 +95,29 @@ ImageOf<Sample> decode(const fs::path& path, const OpenImage& image, SampleType 
   throw input_error(path.string(), "is damaged or cut off", problem);
 }
 
-uint8_t luma(const uint8_t* rgb) {
-  return static_cast<uint8_t>(std::lround(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]));
+/// Rec. 709.
+template <class Sample>
+double luma(const Sample* rgb) {
+  return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
 }
 
 /// One pixel of `have` channels (grey, grey and alpha, RGB, RGBA) to `want` channels.
 void convert_pixel(const uint8_t* from, int have, uint8_t* to, int want) {
   const bool grey = have <= 2;
   if (want == 1) {
-    to[0] = grey ? from[0] : luma(from);
+    to[0] = grey ? from[0] : static_cast<uint8_t>(std::lround(luma(from)));
     return;
   }
   for (int i = 0; i < 3; ++i) to[i] = from[grey ? 0 : i];
   if (want == 4) to[3] = have % 2 == 0 ? from[have - 1] : 255;
+}
+
+/// One pixel of `channels` (grey, grey and alpha, RGB, RGBA) over white.
+double grey_over_white(const float* from, int channels, bool premultiplied) {
+  const double grey = channels <= 2 ? from[0] : luma(from);
+  if (channels % 2 != 0) return grey;
+  const double alpha = from[channels - 1];
+  return (premultiplied ? grey : grey * alpha) + (1.0 - alpha);
 }
 
 Picture with_channels(Picture picture, int channels) {
@@ -140,6 +150,17 @@ Picture read_picture(const fs::path& path, int channels) {
 
 Image read_image(const fs::path& path) {
   return decode<float>(path, open_image(path), SampleType::real);
+}
+
+Image read_grey_over_white(const fs::path& path) {
+  const OpenImage file = open_image(path);
+  const Image image = decode<float>(path, file, SampleType::real);
+  Image grey(image.width_px, image.height_px, 1);
+  for (size_t i = 0; i < grey.samples.size(); ++i) {
+    grey.samples[i] = static_cast<float>(
+        grey_over_white(&image.samples[i * image.channels], image.channels, file.shape().premultiplied));
+  }
+  return grey;
 }
 
 std::string read_image_text(const fs::path& path, const std::string& name) {

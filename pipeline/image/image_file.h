@@ -27,6 +27,10 @@ Picture read_picture(const std::filesystem::path& path, int channels);
 /// as `read_picture`.
 Image read_image(const std::filesystem::path& path);
 
+/// Reads an image file as one channel of floats, over white where it is transparent: Rec. 709 luma of its
+/// colours as they are stored, 1 is white. Errors as `read_picture`.
+Image read_grey_over_white(const std::filesystem::path& path);
+
 /// The metadata entry `name`; "" where the image has none. Errors as `read_picture`.
 std::string read_image_text(const std::filesystem::path& path, const std::string& name);
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "pipeline/lines/class_pixels.h"
+
 namespace inkbench {
 namespace {
 
@@ -39,22 +41,11 @@ std::array<uint8_t, 3> colour_of(LineClass line_class) {
 }
 
 Picture draw_reference(const ReferenceLines& lines) {
-  Picture picture(lines.width_px, lines.height_px, 3, 255);
-  for (const LineClass line_class : drawing_order()) {
-    const std::array<uint8_t, 3> colour = colour_of(line_class);
-    for_each_pixel(class_map(lines, line_class),
-                   [&](int x, int y) { std::copy(colour.begin(), colour.end(), &picture.at(x, y)); });
-  }
-  return picture;
+  return coloured_classes(class_pixels(lines));
 }
 
 Image class_image(const ReferenceLines& lines) {
-  Image image(lines.width_px, lines.height_px, 1, 0.0F);
-  for (size_t i = kLineClasses.size(); i-- > 0;) {
-    for_each_pixel(class_map(lines, kLineClasses[i]),
-                   [&](int x, int y) { image.at(x, y) = static_cast<float>(i + 1); });
-  }
-  return image;
+  return numbered_classes(class_pixels(lines));
 }
 
 std::string reference_svg(const ReferenceLines& lines) {

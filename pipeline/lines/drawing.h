@@ -13,11 +13,12 @@ namespace inkbench {
 /// From Okabe and Ito's palette, which people with the common kinds of colour blindness can tell apart.
 std::array<uint8_t, 3> colour_of(LineClass line_class);
 
-/// H x W x 3: the maps of the classes in their colours on white, earlier classes over later ones.
+/// H x W x 3: the maps of the classes in their colours on white, earlier classes over later ones; the lowest
+/// bits say which classes lie below (`colour_of_classes`).
 Picture draw_reference(const ReferenceLines& lines);
 
-/// H x W x 1: 0 where there is no line, else the place of the first class that has one there, from 1 on, in
-/// `kLineClasses`.
+/// H x W x 1: on each pixel the sum of 2^i over the classes i (from 0, in `kLineClasses`) that have a line
+/// there; 0 where there is none.
 Image class_image(const ReferenceLines& lines);
 
 /// A group for each class, named by its id and drawn from the last to the first; one path for each polyline,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/lines/line_map.h"
 
-#include "pipeline/image/image_file.h"
-
 namespace inkbench {
 
 int64_t LineMap::count() const {
@@ -40,20 +38,22 @@ LineMap united(const LineMap& a, const LineMap& b) {
   return both;
 }
 
-LineMap line_map_from(const Picture& grey) {
-  assert(grey.channels == 1);
-  LineMap map(grey.width_px, grey.height_px);
-  for (int y = 0; y < grey.height_px; ++y) {
-    const uint8_t* from = grey.samples.data() + static_cast<size_t>(y) * grey.width_px;
-    for (int x = 0; x < grey.width_px; ++x) {
-      map.row(y)[x >> 6] |= static_cast<uint64_t>(from[x] > 127) << (x & 63);
-    }
-  }
-  return map;
+bool LineCut::is_line(float sample) const {
+  // Far under a step of 16 bits: 204 of 255 inverted is 51 whatever was rounded on the way.
+  constexpr double kRounding = 1e-6;
+  const double strength = inverted ? 1.0 - static_cast<double>(sample) : static_cast<double>(sample);
+  return value == 0.0 ? strength > 0.0 : strength >= value - kRounding;
 }
 
-LineMap read_line_map(const std::filesystem::path& path) {
-  return line_map_from(read_picture(path, 1));
+LineMap line_map_from(const Image& image, const LineCut& cut) {
+  assert(image.channels == 1);
+  LineMap map(image.width_px, image.height_px);
+  for (int y = 0; y < map.height_px(); ++y) {
+    const float* from = image.samples.data() + image.index(0, y);
+    for (int x = 0; x < map.width_px(); ++x)
+      map.row(y)[x >> 6] |= static_cast<uint64_t>(cut.is_line(from[x])) << (x & 63);
+  }
+  return map;
 }
 
 Picture picture_of(const LineMap& map) {

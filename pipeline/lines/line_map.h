@@ -7,7 +7,6 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -98,12 +97,16 @@ LineMap without_border(const LineMap& map, int border_px = kIgnoredBorderPx);
 /// Pixels true in either. The sizes must be the same.
 LineMap united(const LineMap& a, const LineMap& b);
 
-/// Over 127 = line. `grey` has one channel.
-LineMap line_map_from(const Picture& grey);
+/// Where values count as line.
+struct LineCut {
+  double value = 0.5;     ///< From there on; 0: whatever is above 0. Of 8 bits, 0.5 is "over 127".
+  bool inverted = false;  ///< Dark lines on light: 1 - value is looked at.
 
-/// Reads an image file as a line map: white lines on black. Colour becomes its Rec. 709 luma, rounded; alpha
-/// is dropped. Errors as `read_picture`.
-LineMap read_line_map(const std::filesystem::path& path);
+  bool is_line(float sample) const;
+};
+
+/// The pixels of one channel (`image` has no other) that count as line.
+LineMap line_map_from(const Image& image, const LineCut& cut = {});
 
 /// White lines on black, one channel.
 Picture picture_of(const LineMap& map);

@@ -41,8 +41,8 @@ LineView DrawingMeter::full_view(const Frame& full) {
   LineView view = kept(full_lines_, lines, 3 * bytes,
                        [&] { return line_view({}, *full.value<ReferencePass>(), settings.judge); });
   if (!needs_.inner) return view;
-  view.drawn = kept(full_drawings_, full.key(full.lines()), bytes,
-                    [&] { return drawn_lines(full.raw(full.lines())); });
+  view.drawn = kept(full_drawings_, full.key(BufferName::lines), bytes,
+                    [&] { return line_map_from(full.raw(BufferName::lines)); });
   return view;
 }
 
@@ -51,7 +51,7 @@ DrawingTally DrawingMeter::tally(const Frame& frame) {
   // The full mesh first, so that what is kept in the end is this drawing's, which the next may share.
   std::optional<LineView> full;
   if (needs_.full_mesh()) full = full_view(with_full_mesh(frame));
-  const LineMap drawn = drawn_lines(frame.raw(frame.lines()));
+  const LineMap drawn = line_map_from(frame.raw(BufferName::lines));
   std::shared_ptr<const ReferenceLines> lines;
   if (needs_.reference_lines()) lines = frame.value<ReferencePass>();
   const LineView view = lines ? line_view(drawn, *lines, settings.judge) : LineView{drawn, {}, {}, {}};
@@ -68,13 +68,13 @@ DrawingTally DrawingMeter::tally(std::span<const Settings> views) {
 
 Key DrawingMeter::key(const Frame& frame) {
   KeyBuilder builder;
-  builder.add(frame.key(frame.lines()));
+  builder.add(frame.key(BufferName::lines));
   if (needs_.reference_lines())
     builder.add(frame.key(BufferName::reference)).add(judge_text(frame.settings().judge));
   if (!needs_.full_mesh()) return builder.key();
   const Frame full = with_full_mesh(frame);
   builder.add(full.key(BufferName::reference));
-  if (needs_.inner) builder.add(full.key(full.lines()));
+  if (needs_.inner) builder.add(full.key(BufferName::lines));
   return builder.key();
 }
 

@@ -33,16 +33,6 @@ LineTally tally_alone(const LineMap& drawn) {
 
 }  // namespace
 
-LineMap drawn_lines(const Image& combined_edges) {
-  LineMap map(combined_edges.width_px, combined_edges.height_px);
-  for (int y = 0; y < map.height_px(); ++y) {
-    for (int x = 0; x < map.width_px(); ++x) {
-      if (combined_edges.at(x, y) > 0.0F) map.set(x, y);
-    }
-  }
-  return map;
-}
-
 LineView line_view(const LineMap& drawn, const ReferenceLines& lines, const JudgeParams& judge) {
   LineMap outline = class_map(lines, LineClass::silhouette);
   for (const LineClass line_class : {LineClass::boundary, LineClass::object}) {

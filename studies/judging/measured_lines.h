@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
-// From an image's edges and its reference lines to what the measures compare. In: raw `combined_edges`,
-// reference lines, the judge. Out: line maps and tallies, the same for a study's cell, the window and the
+// From drawn lines and their reference lines to what the measures compare. In: raw `lines`, reference lines,
+// the judge. Out: line maps and tallies, the same for a study's cell, the window and the
 // command line.
 #pragma once
 
 #include "pipeline/base/stop.h"
-#include "pipeline/image/image.h"
 #include "pipeline/lines/reference_lines.h"
 #include "studies/measures/measures.h"
 
 namespace inkbench {
-
-/// The pixels above 0 of a raw `combined_edges`, H x W x 1.
-LineMap drawn_lines(const Image& combined_edges);
 
 /// The drawn lines with the reference lines of the same view and size.
 LineView line_view(const LineMap& drawn, const ReferenceLines& lines, const JudgeParams& judge);

@@ -3,10 +3,10 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "pipeline/base/text.h"
-#include "studies/measures/matching.h"
-#include "studies/measures/tally.h"
+#include "studies/measures/match_maps.h"
 #include "studies/report/lettering.h"
 
 namespace inkbench {
@@ -29,13 +29,16 @@ void paint(Picture& picture, int x, int y, const Colour& colour) {
   for (int c = 0; c < 3; ++c) picture.at(x, y, c) = colour[c];
 }
 
-/// Paints the pixels of `lines` whose partner is (or is not) there.
-void paint_lines(Picture& picture, const LineMap& lines, const std::vector<int32_t>& partners,
-                 bool with_partner, const Colour& colour) {
-  size_t number = 0;
-  for_each_pixel(lines, [&](int x, int y) {
-    if ((partners[number++] >= 0) == with_partner) paint(picture, x, y, colour);
-  });
+void paint_lines(Picture& picture, const LineMap& lines, const Colour& colour) {
+  for_each_pixel(lines, [&](int x, int y) { paint(picture, x, y, colour); });
+}
+
+std::vector<LegendItem> legend_of(const MatchMaps& maps, bool with_allowed) {
+  std::vector<LegendItem> items{{kMatchedColour, "matched " + with_commas(maps.matched.count())},
+                                {kMissedColour, "missed " + with_commas(maps.missed.count())},
+                                {kFalseColour, "false " + with_commas(maps.wrong.count())}};
+  if (with_allowed) items.push_back({kAllowedColour, "allowed " + with_commas(maps.allowed.count())});
+  return items;
 }
 
 void draw_legend(Picture& picture, std::span<const LegendItem> items, int top) {
@@ -54,22 +57,21 @@ void draw_legend(Picture& picture, std::span<const LegendItem> items, int top) {
 
 }  // namespace
 
-Picture diff_picture(const LineMap& prediction, const LineMap& reference, double tolerance_px) {
-  const LineMap found = counted_lines(prediction), wanted = counted_lines(reference);
-  const Matching matching = matched(found, wanted, tolerance_px);
-  const int64_t false_count = found.count() - matching.pairs, missed_count = wanted.count() - matching.pairs;
-  const std::array<LegendItem, 3> items = {{{kMatchedColour, "matched " + with_commas(matching.pairs)},
-                                            {kMissedColour, "missed " + with_commas(missed_count)},
-                                            {kFalseColour, "false " + with_commas(false_count)}}};
+Picture diff_picture(const LineMap& prediction, const LineMap& reference, double tolerance_px,
+                     const LineMap* allowed) {
+  const int width = prediction.width_px(), height = prediction.height_px();
+  const MatchMaps maps = match_maps(
+      {prediction, reference, allowed != nullptr ? *allowed : LineMap(width, height), {}}, tolerance_px);
+  const std::vector<LegendItem> items = legend_of(maps, allowed != nullptr);
   int legend_width = kMarginPx;
   for (const LegendItem& item : items) legend_width += item.width_px();
-  const int width = prediction.width_px(), height = prediction.height_px();
   const bool with_legend = legend_width <= width;
   Picture picture(width, height + (with_legend ? kDiffLegendHeightPx : 0), 3, 255);
-  for_each_pixel(without_border(prediction), [&](int x, int y) { paint(picture, x, y, kInk); });
-  paint_lines(picture, found, matching.partner_of_a, true, kMatchedColour);
-  paint_lines(picture, wanted, matching.partner_of_b, false, kMissedColour);
-  paint_lines(picture, found, matching.partner_of_a, false, kFalseColour);
+  paint_lines(picture, without_border(prediction), kInk);
+  paint_lines(picture, maps.allowed, kAllowedColour);
+  paint_lines(picture, maps.matched, kMatchedColour);
+  paint_lines(picture, maps.missed, kMissedColour);
+  paint_lines(picture, maps.wrong, kFalseColour);
   if (with_legend) draw_legend(picture, items, height);
   return picture;
 }

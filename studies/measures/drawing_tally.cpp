@@ -25,7 +25,7 @@ void DrawingTally::add(const DrawingTally& other) {
 DrawingTally tally_maps(const LinesToMeasure& lines) {
   DrawingTally tally;
   tally.pixels = int64_t{lines.prediction.width_px()} * lines.prediction.height_px();
-  tally.ink = without_border(lines.prediction).count();
+  tally.ink = lines.prediction.count();
   tally.lines = tally_lines(lines);
   return tally;
 }

@@ -14,7 +14,7 @@ namespace inkbench {
 
 /// Pools by addition. What was not asked for is empty.
 struct DrawingTally {
-  int64_t pixels = 0, ink = 0;  ///< Of the whole image; of line maps alone `ink` is without the border.
+  int64_t pixels = 0, ink = 0;  ///< Of the whole image, its border included.
   size_t faces = 0;             ///< Triangles of the main model as drawn, in the first view.
   LineTally lines;
   std::array<ShareCounts, kLineClasses.size()> recall;  ///< By class.

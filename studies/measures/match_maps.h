@@ -3,9 +3,6 @@
 // an overlay.
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "pipeline/image/image.h"
 #include "studies/measures/ladder_tally.h"
 
@@ -21,8 +18,6 @@ struct MatchMaps {
 
 /// By maximum matchings, as the measures use them; borders are left out.
 MatchMaps match_maps(const LineView& view, double tolerance_px = kTolerancePx);
-
-inline constexpr std::array<uint8_t, 3> kAllowedColour{150, 150, 150};
 
 /// H x W x 4: the colours of `diff_picture` and grey for allowed, opaque on the lines and clear elsewhere;
 /// missed over matched, wrong over missed.

@@ -86,10 +86,10 @@ std::string measures_table(Measures measures, const DrawingTally& tally) {
   return table;
 }
 
-std::vector<const Measure*> measures_of_maps() {
-  return measures_that([](const Measure& measure) {
+std::vector<const Measure*> measures_of_maps(bool with_classes) {
+  return measures_that([=](const Measure& measure) {
     return measure.needs == Need::drawn_lines || measure.needs == Need::reference_lines ||
-           measure.needs == Need::polylines;
+           measure.needs == Need::polylines || (with_classes && measure.needs == Need::reference_class);
   });
 }
 

@@ -76,8 +76,8 @@ std::string measures_json(std::span<const Measure* const> measures, const Drawin
 /// A table for people: key, value, meaning; without flags.
 std::string measures_table(std::span<const Measure* const> measures, const DrawingTally& tally);
 
-/// Those that two line maps are enough for.
-std::vector<const Measure*> measures_of_maps();
+/// Those that two line maps are enough for; `with_classes`: where the wanted lines are known by class.
+std::vector<const Measure*> measures_of_maps(bool with_classes = false);
 std::vector<const Measure*> all_measures();
 
 /// What docs/measures.md shows: every measure with its unit, direction, needs and meaning.

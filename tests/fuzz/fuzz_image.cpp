@@ -111,14 +111,14 @@ std::string good_png() {
   for (int x = 3; x < 18; ++x) map.set(x, 3 + x / 2);
   const fs::path path = scratch_folder() / "good.png";
   write_png(path, picture_of(map), {{"inkbench:version", "1"}});
-  require(read_line_map(path) == map);
+  require(read_line_file(path).lines == map);
   return read_file(path);
 }
 
 std::string good_exr() {
   const fs::path path = scratch_folder() / "good.exr";
   write_exr(path, Image(9, 7, 1, 1.0F), {{"inkbench:version", "1"}});
-  require(read_line_map(path).count() == 63);
+  require(read_line_file(path, {.invert = Invert::no}).lines.count() == 63);
   return read_file(path);
 }
 
@@ -149,9 +149,8 @@ void feed(uint8_t choice, std::span<const uint8_t> content) {
   const fs::path path = scratch_folder() / "fuzz.png";
   const std::string file = file_of(choice, content);
   std::ofstream(path, std::ios::binary).write(file.data(), static_cast<std::streamsize>(file.size()));
-  const LineMap map = read_line_map(path);
+  const LineMap map = read_line_file(path).lines;
   require(map.width_px() >= 1 && map.height_px() >= 1);
-  require(line_map_from(picture_of(map)) == map);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
+#include "tests/gl/scenes.h"
 
 namespace inkbench {
 namespace {
@@ -33,6 +34,29 @@ TEST(Ink, covers_the_shading_wherever_an_edge_is_not_zero) {
   EXPECT_EQ(result.at(0, 0, 0), 0.8F);
   EXPECT_EQ(result.at(1, 0, 0), 0.0F);
   EXPECT_EQ(result.at(2, 0, 0), 0.0F);
+}
+
+TEST(Lines, are_1_exactly_where_the_ink_lies) {
+  Settings settings = small_scene();
+  settings.ink.colour = {0.0F, 1.0F, 0.25F};  // no light has it
+  for (const Precision precision : {Precision::float32, Precision::unorm8}) {
+    settings.image.precision = precision;
+    for (const float threshold : {0.75F, 0.05F}) {  // below 0.5 a line's strength is no share of ink
+      settings.combine.threshold = threshold;
+      Pipeline pipeline;
+      const Image lines = pipeline.at(settings).raw(BufferName::lines);
+      const Image final = pipeline.at(settings).raw(BufferName::final);
+      int count = 0;
+      for (int y = 0; y < lines.height_px; ++y) {
+        for (int x = 0; x < lines.width_px; ++x) {
+          const bool inked = final.at(x, y, 0) == 0.0F && final.at(x, y, 1) == 1.0F;
+          ASSERT_EQ(lines.at(x, y), inked ? 1.0F : 0.0F) << x << ", " << y;
+          count += inked ? 1 : 0;
+        }
+      }
+      EXPECT_GT(count, 50);
+    }
+  }
 }
 
 }  // namespace

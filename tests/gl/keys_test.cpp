@@ -106,6 +106,7 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
       {BufferName::normal_edges, {"meshes", "gbuffer", "gradient"}},
       {BufferName::depth_edges, {"meshes", "gbuffer", "gradient"}},
       {BufferName::combined_edges, {"meshes", "gbuffer", "gradient", "range", "combine"}},
+      {BufferName::lines, {"meshes", "gbuffer", "gradient", "range", "combine", "lines"}},
       {BufferName::shaded, {"meshes", "gbuffer", "shade"}},
       {BufferName::blinn_phong, {"meshes", "gbuffer", "blinn_phong"}},
       {BufferName::final, with_meshes(kFloatChain)}};
@@ -121,7 +122,7 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
 TEST(Keys, all_buffers_together_run_each_pass_once) {
   Pipeline pipeline;
   Names expected = with_meshes(kFloatChain);
-  expected.insert("blinn_phong");
+  expected.insert({"blinn_phong", "lines"});
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
                             for (const BufferName buffer : framebuffers())

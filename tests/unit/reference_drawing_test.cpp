@@ -5,9 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdlib>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <set>
 
+#include "pipeline/lines/class_pixels.h"
 #include "tests/unit/reference_support.h"
 
 namespace inkbench {
@@ -103,9 +107,51 @@ TEST(ReferencePicture, shows_earlier_classes_over_later_ones_on_white) {
     return std::array<uint8_t, 3>{picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
   };
   EXPECT_EQ(colour(0, 0), (std::array<uint8_t, 3>{255, 255, 255}));
-  EXPECT_EQ(colour(4, 2), colour_of(LineClass::silhouette));
+  EXPECT_EQ(colour(6, 5), colour_of(LineClass::silhouette));
+  EXPECT_EQ(colour(4, 2), colour_of_classes(0b101)) << "a silhouette over a crease";
   EXPECT_EQ(colour(10, 5), colour_of(LineClass::object));
   EXPECT_EQ(colour(15, 3), colour_of(LineClass::ridge));
+}
+
+TEST(ClassPixels, every_combination_of_classes_comes_back_from_its_colour_and_its_number) {
+  std::set<std::array<uint8_t, 3>> colours;
+  for (int classes = 0; classes < 128; ++classes) {
+    const auto bits = static_cast<ClassBits>(classes);
+    const std::array<uint8_t, 3> colour = colour_of_classes(bits);
+    EXPECT_TRUE(colours.insert(colour).second) << classes;
+    EXPECT_EQ(classes_of_colour(colour), bits);
+    EXPECT_EQ(classes_of_number(static_cast<float>(classes)), bits);
+  }
+}
+
+TEST(ClassPixels, a_colour_is_that_of_the_first_class_but_for_what_nobody_sees) {
+  for (int classes = 1; classes < 128; ++classes) {
+    const auto first = static_cast<size_t>(std::countr_zero(static_cast<unsigned>(classes)));
+    const std::array<uint8_t, 3> colour = colour_of_classes(static_cast<ClassBits>(classes));
+    for (int c = 0; c < 3; ++c)
+      EXPECT_LE(std::abs(colour[c] - colour_of(kLineClasses[first])[c]), 3) << classes;
+    if (std::has_single_bit(static_cast<unsigned>(classes))) {
+      EXPECT_EQ(colour, colour_of(kLineClasses[first]));
+    }
+  }
+}
+
+TEST(ClassPixels, what_no_classes_have_is_known) {
+  EXPECT_EQ(classes_of_colour({255, 255, 254}), std::nullopt);
+  EXPECT_EQ(classes_of_colour({128, 128, 128}), std::nullopt);
+  for (const float number : {-1.0F, 0.5F, 128.0F, std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_EQ(classes_of_number(number), std::nullopt) << number;
+}
+
+TEST(ClassPixels, hold_the_maps_of_all_classes_and_tiers) {
+  const ReferenceLines lines = hand_made();
+  const Picture pixels = class_pixels(lines);
+  for (const LineClass line_class : kLineClasses)
+    EXPECT_EQ(class_map(pixels, line_class), class_map(lines, line_class)) << name_of(line_class);
+  JudgeParams judge;
+  judge.silhouette = Demand::allowed;  // lies over the crease, which is wanted
+  for (const int wanted : {1, 2}) EXPECT_EQ(tier_map(pixels, judge, wanted), tier_map(lines, judge, wanted));
+  EXPECT_EQ(tier_map(pixels, judge, 1).at(4, 2), true);
 }
 
 TEST(ReferenceSvg, has_a_group_for_each_class_and_a_path_for_each_polyline) {

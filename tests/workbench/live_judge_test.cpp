@@ -75,7 +75,7 @@ std::optional<Judgement> wait_for_judgement(LiveJudge& live) {
 TEST(Judge, equals_the_measures_of_a_study) {
   const JudgeRequest asked = judge_request(7);
   const Judgement result = judge(asked);
-  const LineView view = line_view(drawn_lines(*asked.view.edges), *asked.view.lines, {});
+  const LineView view = line_view(line_map_from(*asked.view.edges), *asked.view.lines, {});
   const DrawingTally tally = tally_view({view, asked.view.lines.get()}, {}, MeasureNeeds::all());
   EXPECT_EQ(json_of(result), measures_json(all_measures(), tally));
   EXPECT_EQ(result.id, 7U);

@@ -71,7 +71,8 @@ void close(ImageDecoder* decoder) {
 
 ImageShape shape(const ImageDecoder& decoder) {
   const ImageSpec& spec = decoder.input->spec();
-  return {spec.width, spec.height, spec.depth, spec.nchannels};
+  const bool is_straight = spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0;
+  return {spec.width, spec.height, spec.depth, spec.nchannels, spec.alpha_channel >= 0 && !is_straight};
 }
 
 std::string text(const ImageDecoder& decoder, const std::string& entry) {

@@ -9,8 +9,10 @@
 namespace inkbench {
 namespace {
 
-constexpr BufferInfo kCombinedEdges{
-    .name = "combined_edges", .help = "Where the terms of both edges sum up to a line.", .number_key = 5};
+constexpr BufferInfo kCombinedEdges{.name = "combined_edges",
+                                    .help = "Where the terms of both edges sum up to a line.",
+                                    .number_key = 5,
+                                    .as_lines = ReadAsLines::above_0};
 
 }  // namespace
 

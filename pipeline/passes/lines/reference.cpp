@@ -13,7 +13,8 @@ constexpr BufferInfo kReference{
     .name = "reference",
     .help = "The lines of the meshes themselves, by class: what a perfect filter would draw.",
     .number_key = 0,
-    .shown_as = ShownAs::drawing};
+    .shown_as = ShownAs::drawing,
+    .as_lines = ReadAsLines::classes};
 
 /// Features depend on the mesh, on how it is stretched and on what counts as one.
 Key full_key(MeshStore& meshes, const ModelParams& model, const JudgeParams& judge) {
