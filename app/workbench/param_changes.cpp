@@ -8,7 +8,7 @@
 #include <map>
 
 #include "pipeline/base/text.h"
-#include "studies/sweep/spec.h"
+#include "studies/sweep/labels.h"
 
 namespace inkbench {
 namespace {

@@ -13,7 +13,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
 #include "pipeline/settings/settings_file.h"
-#include "studies/sweep/spec.h"
+#include "studies/sweep/labels.h"
 
 namespace inkbench {
 namespace {

@@ -3,6 +3,7 @@
 // the text of a gnuplot script that draws the chart. Knows no spec and starts no process.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct ChartColumn {
   bool is_measured = false;   ///< Known only once the cells are drawn.
   bool least_is_best = false;
   Scale scale = Scale::linear;
+  std::map<std::string, std::string> field_labels;  ///< What fields are called; others as they are.
 };
 
 /// Only rows whose field in `column` is one of `fields` count.

@@ -59,6 +59,8 @@ std::string readable_field(const ChartColumn& column, const std::string& field) 
   if (number && *number == 0 && !column.zero.empty()) return column.zero;
   if (number && !column.is_text) return readable_number(*number);
   if (field.empty()) return "none";
+  if (const auto label = column.field_labels.find(field); label != column.field_labels.end())
+    return one_line(label->second);
   return one_line(field.front() == '/' ? std::filesystem::path(field).filename().string() : field);
 }
 

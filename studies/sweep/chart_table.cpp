@@ -237,7 +237,7 @@ class ChartReader {
       const Param param = find_param(settings_, column.name, toml_.at(node));
       param.set(value_from_toml(param, node, toml_.at(node), spec_.path.parent_path().string()),
                 toml_.at(node));
-      return field_text(param.value());
+      return field_text(spec_, param);
     }
     switch (node.kind) {
       case TomlNode::Kind::boolean:

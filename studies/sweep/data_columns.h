@@ -14,8 +14,9 @@ namespace inkbench {
 /// Keys that cells set, in order of first use.
 std::vector<std::string> varied_keys(const StudySpec& spec);
 
-/// A value as a field of data.csv: as TOML, but texts without quotes.
-std::string field_text(const Value& value);
+/// A parameter's value as a field of data.csv: as TOML, but texts without quotes, and files relative to the
+/// spec's folder where the way there does not lead through the root.
+std::string field_text(const StudySpec& spec, const ConstParam& param);
 
 /// `cell`, `variant`, the varied keys and the numbers, with what a chart says of them.
 std::vector<ChartColumn> chart_columns(const StudySpec& spec);

@@ -14,10 +14,6 @@
 namespace inkbench {
 namespace {
 
-std::string short_key(const std::string& key) {
-  return key.substr(key.rfind('.') + 1);
-}
-
 void check_file(const std::string& key, const std::string& path) {
   if (path.empty()) return;
   std::error_code error;
@@ -56,7 +52,7 @@ Cell make_cell(const StudySpec& spec, size_t index) {
     *places[i] = static_cast<int>(rest % axis.values.size());
     rest /= axis.values.size();
     cell.set.push_back({axis.key, axis.values[*places[i]]});
-    parts.push_back(short_key(axis.key) + " = " + label_text(cell.set.back().value));
+    parts.push_back(axis.short_key + " = " + axis.value_labels[*places[i]]);
   }
   if (!spec.variants.empty()) {
     const NamedSet& variant = spec.variants[rest];
@@ -110,18 +106,6 @@ void check_cells(const StudySpec& spec) {
       throw input_error(where, error.what());
     }
   }
-}
-
-std::string label_text(const Value& value) {
-  if (const auto* real = std::get_if<float>(&value)) return fmt::format("{:.4g}", *real);
-  if (const auto* text = std::get_if<std::string>(&value)) return fs::path(*text).filename().string();
-  if (const auto* vector = std::get_if<glm::vec3>(&value))
-    return fmt::format("{:.4g}, {:.4g}, {:.4g}", vector->x, vector->y, vector->z);
-  if (const auto* ramp = std::get_if<Ramp>(&value)) {
-    return ramp->image.empty() ? fmt::format("{} stops", ramp->stops.size())
-                               : fs::path(ramp->image).filename().string();
-  }
-  return to_text(value);
 }
 
 }  // namespace inkbench

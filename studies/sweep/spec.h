@@ -15,8 +15,10 @@ namespace inkbench {
 
 struct Axis {
   std::string key;
-  std::string label;          ///< The key's last part unless the spec says more.
-  std::vector<Value> values;  ///< At least one.
+  std::string short_key;                  ///< Of `key_labels` over all axes.
+  std::string label;                      ///< `short_key` unless the spec says more.
+  std::vector<Value> values;              ///< At least one.
+  std::vector<std::string> value_labels;  ///< `label_texts` of them.
 };
 
 struct Assignment {
@@ -83,8 +85,5 @@ Settings view_settings(const StudySpec& spec, const Cell& cell, size_t view);
 /// Checks every cell's settings and that the files they name exist. Errors (input): the first cell that is
 /// wrong.
 void check_cells(const StudySpec& spec);
-
-/// A value for labels: numbers with at most four digits, texts without quotes, file names without folders.
-std::string label_text(const Value& value);
 
 }  // namespace inkbench

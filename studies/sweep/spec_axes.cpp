@@ -9,6 +9,7 @@
 #include "pipeline/base/text.h"
 #include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
+#include "studies/sweep/labels.h"
 
 namespace inkbench {
 namespace {
@@ -28,10 +29,22 @@ class AxesReader {
     if (axes_.size() > 3)
       throw input_error(path_.string(), fmt::format("has {} axes", axes_.size()),
                         "at most three: columns, rows, pages");
+    add_labels(found);
     return std::move(axes_);
   }
 
  private:
+  void add_labels(const std::vector<const TomlNode*>& tables) {
+    std::vector<std::string> keys;
+    for (const Axis& axis : axes_) keys.push_back(axis.key);
+    const std::vector<std::string> short_keys = key_labels(keys);
+    for (size_t i = 0; i < axes_.size(); ++i) {
+      axes_[i].short_key = short_keys[i];
+      axes_[i].label = toml_.text_entry(*tables[i], "label", short_keys[i]);
+      axes_[i].value_labels = label_texts(axes_[i].values);
+    }
+  }
+
   Axis axis(const TomlNode& table) {
     toml_.check_keys(table, {"key", "values", "label", "from", "to", "count", "scale"});
     const TomlNode* key = table.find("key");
@@ -45,7 +58,6 @@ class AxesReader {
       if (param.overlaps(find_param(base_, other.key, toml_.at(*key))))
         throw input_error(toml_.at(*key), "a second axis over " + other.key, "each axis needs another key");
     }
-    axis.label = toml_.text_entry(table, "label", axis.key.substr(axis.key.rfind('.') + 1));
     axis.values = table.find("values") != nullptr ? listed_values(table, param) : range_values(table, param);
     return axis;
   }

@@ -229,7 +229,7 @@ std::vector<std::string> StudyFolder::row(size_t index, const std::vector<std::s
   Settings settings = cell_settings(spec_, cell);
   std::vector<std::string> fields{std::to_string(index + 1)};
   if (!spec_.variants.empty()) fields.push_back(cell.variant);
-  for (const std::string& key : varied_) fields.push_back(field_text(find_param(settings, key, key).value()));
+  for (const std::string& key : varied_) fields.push_back(field_text(spec_, find_param(settings, key, key)));
   for (size_t i = 0; i < numbers_.size(); ++i) fields.push_back(i < numbers.size() ? numbers[i] : "");
   fields.push_back(error);
   for (const std::string& file : picture_files(index)) fields.push_back(error.empty() ? file : "");

@@ -80,9 +80,7 @@ void remove_further_pages(const std::filesystem::path& folder) {
 GridAxis grid_axis(const StudySpec& spec, size_t index) {
   if (index == spec.axes.size() && !spec.variants.empty()) return {"", names_of(spec.variants)};
   if (index >= spec.axes.size()) return {"", {""}};
-  GridAxis labels{spec.axes[index].label, {}};
-  for (const Value& value : spec.axes[index].values) labels.values.push_back(label_text(value));
-  return labels;
+  return {spec.axes[index].label, spec.axes[index].value_labels};
 }
 
 CellLayout cell_layout(const StudySpec& spec) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Study specs: what a spec says is which cells there are; what it cannot say is an error with file and line.
 #include "studies/sweep/spec.h"
+#include "studies/sweep/labels.h"
 
 #include <gmock/gmock.h>
 
@@ -218,7 +219,7 @@ TEST(SpecAxis, a_component_can_be_swept) {
       parse(axis("camera.eye.x", "from = 0\nto = 2\ncount = 3") + axis("camera.eye.y", "values = [7]"));
   const Settings settings = cell_settings(spec, make_cell(spec, 2));
   EXPECT_EQ(settings.camera.eye, glm::vec3(2, 7, spec.base.camera.eye.z));
-  EXPECT_EQ(make_cell(spec, 2).name, "x = 2, y = 7");
+  EXPECT_EQ(make_cell(spec, 2).name, "eye.x = 2, eye.y = 7");
 }
 
 TEST(SpecAxis, errors_name_file_and_line) {

@@ -92,7 +92,7 @@ TEST_F(StudyFolderTest, rows_come_as_cells_end_and_awkward_values_are_quoted) {
   finish_cell(study, 0);
   EXPECT_EQ(data(),
             "cell,combine.k_depth,model.rabbit.mesh,ink,ink_px,error,FILE_final,FILE_depth\n"
-            "3,0.25,\"/studies/a, \"\"b\"\".obj\",0.5,102,,cells/0003_final.png,cells/0003_depth.png\n"
+            "3,0.25,\"a, \"\"b\"\".obj\",0.5,102,,cells/0003_final.png,cells/0003_depth.png\n"
             "1,0.25,rabbit,0.5,100,,cells/0001_final.png,cells/0001_depth.png\n");
   EXPECT_TRUE(study.is_done(0));
   EXPECT_FALSE(study.is_done(1));
@@ -181,7 +181,7 @@ TEST_F(Resume, other_numbers_keep_the_pictures_until_they_are_measured_again) {
   StudyFolder& study = *held;
   ASSERT_EQ(study.work(2), CellWork::measure) << "a run that was killed before loses no picture";
   study.add(2, {"0.75", "7"}, {});
-  EXPECT_THAT(data(), HasSubstr("\n3,0.25,\"/studies/a, \"\"b\"\".obj\",0.75,7,,cells/0003_final.png,"));
+  EXPECT_THAT(data(), HasSubstr("\n3,0.25,\"a, \"\"b\"\".obj\",0.75,7,,cells/0003_final.png,"));
   study.finish();
   held.reset();  // lets go of the folder
   EXPECT_EQ(open(false, "", "thinning changed").work(2), CellWork::none);

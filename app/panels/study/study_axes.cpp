@@ -15,6 +15,7 @@
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "pipeline/base/text.h"
+#include "studies/sweep/labels.h"
 
 namespace inkbench {
 namespace {

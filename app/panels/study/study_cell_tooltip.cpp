@@ -11,6 +11,7 @@
 #include "app/window/gui.h"
 #include "app/window/theme.h"
 #include "pipeline/base/text.h"
+#include "studies/sweep/labels.h"
 
 namespace inkbench {
 namespace {
