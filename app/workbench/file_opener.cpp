@@ -49,11 +49,11 @@ void FileOpener::take_mesh(const OpenedFile& file) {
   document_.accept(next, opening(file));
 }
 
-void FileOpener::take_ramp(const OpenedFile& file) {
+void FileOpener::take_ramp(const OpenedFile& file, Ramp RampParams::*ramp, const char* name) {
   Settings next = document_.settings();
-  next.ramp.diffuse = *file.ramp;
+  next.ramp.*ramp = *file.ramp;
   next.ramp.enabled = true;
-  document_.accept(next, "diffuse ramp from " + file.path.filename().string());
+  document_.accept(next, fmt::format("{} ramp from {}", name, file.path.filename().string()));
 }
 
 void FileOpener::take(const OpenedFile& file) {
@@ -67,11 +67,27 @@ void FileOpener::take(const OpenedFile& file) {
     case FileKind::mesh:
       return take_mesh(file);
     case FileKind::ramp:
+      return take_ramp(file, &RampParams::diffuse, "diffuse");
     case FileKind::ramp_image:
-      return take_ramp(file);
+      return asked_.push_back(file);
     case FileKind::study:
       return takers_.study(file);
   }
+}
+
+void FileOpener::tell_opened(const OpenedFile& file) {
+  takers_.opened(file.path);
+  problems_.tell(Severity::note, fmt::format("opened {}, {}", file.path.string(), name_of(file.kind)));
+}
+
+void FileOpener::answer(ImageUse use) {
+  const OpenedFile file = std::move(asked_.front());
+  asked_.erase(asked_.begin());
+  if (use == ImageUse::nothing) return;
+  if (document_.is_editing()) document_.end_edit();
+  if (use == ImageUse::diffuse_ramp) take_ramp(file, &RampParams::diffuse, "diffuse");
+  if (use == ImageUse::specular_ramp) take_ramp(file, &RampParams::specular, "specular");
+  tell_opened(file);
 }
 
 /// Returns why not; empty where it was opened.
@@ -80,8 +96,7 @@ std::string FileOpener::open_one(const std::string& path) {
     const OpenedFile file = open_file(path);
     if (document_.is_editing()) document_.end_edit();
     take(file);
-    takers_.opened(file.path);
-    problems_.tell(Severity::note, fmt::format("opened {}, {}", file.path.string(), name_of(file.kind)));
+    if (file.kind != FileKind::ramp_image) tell_opened(file);
     return "";
   } catch (const Error& error) {
     return error.what();

@@ -26,6 +26,9 @@ struct FileTakers {
   std::function<void(const std::filesystem::path&)> opened;
 };
 
+/// What an image without parameters can be taken for.
+enum class ImageUse { nothing, diffuse_ramp, specular_ramp };
+
 class FileOpener {
  public:
   /// `document` and `problems` must outlive it. A preset of that folder is a layer on the scene; elsewhere
@@ -37,11 +40,19 @@ class FileOpener {
   /// One after the other; what could not be opened is told even where another could.
   void open_all(const std::vector<std::string>& paths);
 
+  /// The first of the images without parameters that were opened: it changes nothing until a person has said
+  /// what it is. Null where there is none.
+  const OpenedFile* asked() const { return asked_.empty() ? nullptr : &asked_.front(); }
+  /// Takes the image that is asked about so; there must be one.
+  void answer(ImageUse use);
+
  private:
   std::string open_one(const std::string& path);
   void take(const OpenedFile& file);
   void take_scene(const OpenedFile& file);
   void take_mesh(const OpenedFile& file);
+  void take_ramp(const OpenedFile& file, Ramp RampParams::*ramp, const char* name);
+  void tell_opened(const OpenedFile& file);
   void take_ramp(const OpenedFile& file);
   bool is_kept_preset(const std::filesystem::path& file) const;
 
@@ -49,6 +60,7 @@ class FileOpener {
   Problems& problems_;
   std::filesystem::path presets_folder_;
   FileTakers takers_;
+  std::vector<OpenedFile> asked_;
 };
 
 }  // namespace inkbench

@@ -19,7 +19,7 @@ enum class FileKind {
   preset,          ///< A preset: `settings`.
   study,           ///< A study's spec, or the grid of one, which carries it: `study`.
   ramp,            ///< Stops in TOML: `ramp`.
-  ramp_image,      ///< Any other image, whose first row can be a ramp: `ramp`.
+  ramp_image,      ///< Any other image; a person says whether its first row is a ramp: `ramp`.
   mesh,            ///< By its name's ending; it is read when it is drawn.
 };
 

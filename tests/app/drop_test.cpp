@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files dropped on the window, as from a file manager: each does what its content says.
 #include "pipeline/base/files.h"
+#include "pipeline/image/image_file.h"
 #include "tests/app/app_test.h"
 #include "tests/app/drop_source.h"
 #include "tests/cli/command.h"
@@ -131,6 +132,28 @@ TEST_F(AppDrop, unknown_files_among_others_are_told) {
   EXPECT_NE(first_problem(after).find("notes.bin"), std::string::npos) << after["problems"];
   EXPECT_NE(first_problem(after).find("broken.obj"), std::string::npos) << after["problems"];
   EXPECT_EQ(after["steps"].size(), 1U);
+}
+
+TEST_F(AppDrop, image_without_parameters_is_asked_about) {
+  open();
+  write_png(file("photo.png"), Picture(8, 2, 3, 100), {});
+  const Json before = state();
+  drop_files({file("photo.png")});
+  const auto wait_for_question = [&](bool there) {
+    wait_for(there ? "the question" : "no question",
+             [&](const Json& now) { return now["ui"].contains("image question:leave") == there; });
+  };
+  wait_for_question(true);
+  expect_same(settled(), before);
+  keys("Escape");
+  wait_for_question(false);
+  expect_same(settled(), before);
+  drop_files({file("photo.png")});
+  wait_for_question(true);
+  click("image question:diffuse");
+  wait_for_parameter("ramp.diffuse", "\"" + file("photo.png").string() + "\"");
+  wait_for_question(false);
+  EXPECT_EQ(settled()["steps"], Json::parse(R"(["diffuse ramp from photo.png"])"));
 }
 
 TEST_F(AppDrop, folder_and_what_is_gone_change_nothing) {

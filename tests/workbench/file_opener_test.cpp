@@ -5,6 +5,7 @@
 #include "app/workbench/presets.h"
 #include "app/workbench/ramp_file.h"
 #include "pipeline/export.h"
+#include "pipeline/image/image_file.h"
 #include "tests/workbench/workbench_support.h"
 
 namespace inkbench {
@@ -106,6 +107,28 @@ TEST_F(FileOpenerTest, a_ramp_becomes_the_diffuse_one_and_is_switched_on) {
   opener_.open((folder_.path() / "r.toml").string());
   EXPECT_EQ(document_.settings().ramp.diffuse, ramp);
   EXPECT_TRUE(document_.settings().ramp.enabled);
+}
+
+TEST_F(FileOpenerTest, an_image_without_parameters_waits_for_an_answer) {
+  const fs::path image = folder_.path() / "photo.png";
+  write_png(image, Picture(8, 2, 3, 100), {});
+  opener_.open_all({image, image, image});
+  EXPECT_FALSE(document_.history().can_undo());
+  EXPECT_THAT(opened_, IsEmpty());
+  ASSERT_NE(opener_.asked(), nullptr);
+  EXPECT_EQ(opener_.asked()->path, image);
+
+  opener_.answer(ImageUse::nothing);
+  EXPECT_FALSE(document_.history().can_undo());
+  opener_.answer(ImageUse::specular_ramp);
+  EXPECT_EQ(document_.settings().ramp.specular.image, image);
+  EXPECT_EQ(document_.settings().ramp.diffuse, paper_settings().ramp.diffuse);
+  opener_.answer(ImageUse::diffuse_ramp);
+  EXPECT_EQ(document_.settings().ramp.diffuse.image, image);
+  EXPECT_EQ(opener_.asked(), nullptr);
+  EXPECT_THAT(document_.history().step_names(),
+              ElementsAre("specular ramp from photo.png", "diffuse ramp from photo.png"));
+  EXPECT_THAT(opened_, ElementsAre(image, image));
 }
 
 TEST_F(FileOpenerTest, a_study_leaves_the_document_alone) {

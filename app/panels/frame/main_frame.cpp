@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/panels/frame/edit_menu.h"
+#include "app/panels/frame/image_question.h"
 #include "app/panels/frame/keys_page.h"
 #include "app/panels/frame/notices.h"
 #include "app/panels/frame/status_bar.h"
@@ -228,6 +229,7 @@ void MainFrame::draw() {
   draw_dividers(places);
   draw_keys_page(bench_.layout, bench_.ui_map);
   dialogs_.draw();
+  draw_image_question(bench_.files, bench_.requests, bench_.ui_map);
   if (is_hover_pending()) bench_.requests.wake_in(kHelpDelay / 2);
 }
 
