@@ -3,6 +3,7 @@
 
 #include "app/size_option.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/log.h"
 #include "pipeline/export.h"
 #include "pipeline/mesh/levels/replace_mesh.h"
 #include "pipeline/settings/settings_file.h"
@@ -10,11 +11,8 @@
 namespace inkbench {
 namespace {
 
-ChosenScene base_scene(const SceneOptions& options) {
-  if (!options.from.empty()) {
-    ImageOrigin origin = read_origin(options.from);
-    return {std::move(origin.settings), origin.buffer};
-  }
+ChosenScene base_scene(const SceneOptions& options, const std::optional<ImageOrigin>& origin) {
+  if (origin) return {origin->settings, origin->buffer};
   return {
       load_settings(options.scene.empty() ? project_file("data/scenes/paper.toml") : fs::path(options.scene)),
       std::nullopt};
@@ -38,11 +36,17 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
 }
 
 ChosenScene chosen_scene(const SceneOptions& options) {
-  ChosenScene chosen = base_scene(options);
+  std::optional<ImageOrigin> origin;
+  if (!options.from.empty()) origin = read_origin(options.from);
+  ChosenScene chosen = base_scene(options, origin);
   if (!options.mesh.empty()) replace_main_mesh(chosen.settings, options.mesh);
   if (!options.size.empty()) apply_size(chosen.settings, options.size);
   for (const std::string& assignment : options.assignments) apply_assignment(chosen.settings, assignment);
   check_settings(chosen.settings);
+  if (origin) {
+    for (const std::string& note : notes_on_changed_files(options.from, *origin, chosen.settings))
+      log_note(note);
+  }
   return chosen;
 }
 

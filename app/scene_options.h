@@ -26,7 +26,8 @@ struct ChosenScene {
   std::optional<BufferName> buffer;  ///< Of the image that `--from` named.
 };
 
-/// Errors (input): a file or a value that is wrong, settings that contradict each other.
+/// A note tells of files behind the image of `--from` that are others now. Errors (input): a file or a value
+/// that is wrong, settings that contradict each other.
 ChosenScene chosen_scene(const SceneOptions& options);
 
 }  // namespace inkbench

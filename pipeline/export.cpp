@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/export.h"
 
+#include <fmt/format.h>
+
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/lines/class_pixels.h"
@@ -13,16 +15,18 @@ namespace {
 
 constexpr const char* kVersionEntry = "inkbench:version";
 constexpr const char* kSettingsEntry = "inkbench:settings";
+constexpr const char* kFilesEntry = "inkbench:files";
 
 }  // namespace
 
-ImageText export_text(const Settings& settings, BufferName buffer) {
+ImageText export_text(const Settings& settings, BufferName buffer, const std::vector<UsedFile>& files) {
   ImageText text{{"Software", "inkbench " INKBENCH_VERSION},
                  {kVersionEntry, INKBENCH_VERSION},
                  {std::string(kBufferEntry), std::string(name_of(buffer))},
                  {kSettingsEntry, settings_text(settings)}};
   if (buffer.info().as_lines == ReadAsLines::classes)
     text.emplace(std::string(kClassesEntry), class_bit_names());
+  if (!files.empty()) text.emplace(kFilesEntry, used_files_text(files));
   return text;
 }
 
@@ -42,7 +46,19 @@ ImageOrigin read_origin(const std::filesystem::path& image) {
       parse_buffers({read_image_text(image, std::string(kBufferEntry))}, image.string() + " (metadata)")
           .front();
   origin.version = read_image_text(image, kVersionEntry);
+  origin.files = used_files_from(read_image_text(image, kFilesEntry));
   return origin;
+}
+
+std::vector<std::string> notes_on_changed_files(const fs::path& image, const ImageOrigin& origin,
+                                                const Settings& now) {
+  std::vector<std::string> notes;
+  for (const UsedFile& file : changed_files(origin.files, origin.settings, now)) {
+    notes.push_back(
+        fmt::format("{} ({}) is another file now than when {} was made: the picture is not the same",
+                    file.path, file.key, image.string()));
+  }
+  return notes;
 }
 
 void write_buffer(const Frame& frame, BufferName buffer, const fs::path& path) {
@@ -50,9 +66,9 @@ void write_buffer(const Frame& frame, BufferName buffer, const fs::path& path) {
   if (format == ".svg" && buffer == BufferName::reference) {
     write_file_atomically(path, reference_svg(*frame.value<ReferencePass>()));
   } else if (format == ".exr") {
-    write_exr(path, frame.raw(buffer), export_text(frame.settings(), buffer));
+    write_exr(path, frame.raw(buffer), export_text(frame.settings(), buffer, frame.used_files()));
   } else if (format == ".png") {
-    write_png(path, frame.picture(buffer), export_text(frame.settings(), buffer));
+    write_png(path, frame.picture(buffer), export_text(frame.settings(), buffer, frame.used_files()));
   } else {
     throw input_error(path.string(), "is no name for an image of " + std::string(name_of(buffer)),
                       "end it in .png or .exr, or .svg for reference");

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pipeline/image/image_file.h"
 #include "pipeline/pipeline.h"
@@ -16,15 +17,22 @@ inline constexpr std::string_view kBufferEntry = "inkbench:buffer";
 /// Of `reference`, the one that says which classes its pixels' bits stand for.
 inline constexpr std::string_view kClassesEntry = "inkbench:classes";
 
-/// The metadata of an exported buffer: version, buffer and all settings; of `reference` its classes, too.
-ImageText export_text(const Settings& settings, BufferName buffer);
+/// The metadata of an exported buffer: version, buffer, all settings and the files behind them; of
+/// `reference` its classes, too.
+ImageText export_text(const Settings& settings, BufferName buffer, const std::vector<UsedFile>& files = {});
 
 /// What an exported image says of itself.
 struct ImageOrigin {
   Settings settings;
   BufferName buffer = BufferName::final;
   std::string version;
+  std::vector<UsedFile> files;  ///< Without paths; none in images of earlier versions.
 };
+
+/// For each file behind the image that is another one now, though `now` (the image's settings, perhaps with
+/// changes) names it as the image does: a sentence with the file, the parameter and the image.
+std::vector<std::string> notes_on_changed_files(const std::filesystem::path& image, const ImageOrigin& origin,
+                                                const Settings& now);
 
 /// Whether the image carries parameters. Errors (input): not an image.
 bool has_origin(const std::filesystem::path& image);

@@ -183,6 +183,10 @@ LineRequest Frame::line_request() const {
   return ReferencePass::request(pipeline_->flow_, *state_);
 }
 
+std::vector<UsedFile> Frame::used_files() const {
+  return inkbench::used_files(settings(), pipeline_->meshes());
+}
+
 Key Frame::key(BufferName buffer) const {
   return state_->keys[pipeline_->flow_.node_of(buffer).index()];
 }

@@ -16,6 +16,7 @@
 #include "pipeline/passes/gbuffer/draw_item.h"
 #include "pipeline/passes/picture/picture.h"
 #include "pipeline/settings/settings.h"
+#include "pipeline/used_files.h"
 
 namespace inkbench {
 
@@ -73,6 +74,9 @@ class Frame {
 
   /// What the reference lines are found from, for finding them on another thread; its key is theirs.
   LineRequest line_request() const;
+
+  /// The files that its images are made from. Errors (input): one cannot be read.
+  std::vector<UsedFile> used_files() const;
 
   /// Decides the buffer's raw values.
   Key key(BufferName buffer) const;

@@ -10,6 +10,7 @@
 #include "app/workbench/ramp_file.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
 #include "pipeline/export.h"
 #include "pipeline/settings/settings_file.h"
@@ -78,6 +79,7 @@ OpenedFile open_image(OpenedFile file) {
     return file;
   }
   ImageOrigin origin = read_origin(file.path);
+  for (const std::string& note : notes_on_changed_files(file.path, origin, origin.settings)) log_note(note);
   file.kind = FileKind::exported_image;
   file.settings = std::move(origin.settings);
   file.buffer = origin.buffer;

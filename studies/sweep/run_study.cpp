@@ -36,6 +36,7 @@ struct DrawnView {
   Settings settings;
   std::vector<Picture> pictures;  ///< One for each shown buffer.
   bool is_kept = false;           ///< Its pictures lie on the disk already, and none are here.
+  std::vector<UsedFile> files;    ///< That the pictures are made from.
 };
 
 /// A cell of which not all views are stored.
@@ -138,6 +139,7 @@ class StudyRun {
     for (const BufferName buffer : spec_.show) {
       if (!drawn.is_kept) drawn.pictures.push_back(frame.picture(buffer));
     }
+    if (!drawn.is_kept) drawn.files = frame.used_files();
     const DrawingTally tally = meter_.tally(frame);
     const std::string overlay = finds_lines(spec_) ? write_overlay(frame) : "";
     const std::lock_guard lock(mutex_);
@@ -163,7 +165,8 @@ class StudyRun {
     try {
       for (size_t i = 0; i < drawn.pictures.size(); ++i) {
         const std::string file = folder_.cell_file(index, drawn.place.view, spec_.show[i]);
-        write_png(folder_.path() / file, drawn.pictures[i], export_text(drawn.settings, spec_.show[i]));
+        write_png(folder_.path() / file, drawn.pictures[i],
+                  export_text(drawn.settings, spec_.show[i], drawn.files));
         tiles_.keep(index, drawn.place.view * spec_.show.size() + i, drawn.pictures[i],
                     record_file(folder_.path(), file).hash);
       }

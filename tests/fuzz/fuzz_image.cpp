@@ -13,7 +13,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/scratch_folder.h"
 #include "pipeline/image/image_file.h"
-#include "pipeline/lines/line_map.h"
+#include "pipeline/line_file.h"
 
 namespace inkbench {
 namespace {

@@ -41,6 +41,9 @@ class MeshStore {
   /// Decides what `get` gives: the shape's parameters, or the file's content, which stays as it was read
   /// where the file goes away. Errors (input): the file cannot be read.
   Key identity(const ModelParams& model, const MeshParams& level);
+  /// Of the file's content as it was read last; read again where its size or time is another. Errors (input):
+  /// it cannot be read.
+  Key content_key(const std::string& path);
   /// Loads and uploads the first time. Errors (input): as `load_mesh_file`; its notes go to the log. The full
   /// mesh and the record of its collapses stay, so that another level of it takes milliseconds.
   std::shared_ptr<const GpuMesh> get(const ModelParams& model, const MeshParams& level);
@@ -75,7 +78,6 @@ class MeshStore {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const GpuMesh> gpu;
   };
-  Key content_key(const std::string& path);
   std::shared_ptr<const GpuMesh> hold(const Key& key, const ModelParams& model,
                                       std::shared_ptr<const Mesh> mesh, const Bounds& placement);
   std::shared_ptr<const Mesh> make_mesh(const ModelParams& model, const MeshParams& level);
