@@ -52,6 +52,35 @@ std::vector<size_t> fitted_texels(const std::vector<glm::vec3>& table) {
   return kept;
 }
 
+/// The ramp's colours one after the other, each other than the one before, with their distances: where all
+/// steps, as many as lie between them, else as far as their stops are from each other.
+struct ColourPath {
+  std::vector<glm::vec3> colours;
+  std::vector<float> places;  ///< From 0, rising.
+
+  glm::vec3 at(float place) const {
+    size_t next = 1;
+    while (next + 1 < places.size() && places[next] < place) ++next;
+    if (next >= colours.size()) return colours.front();
+    const float t = (place - places[next - 1]) / (places[next] - places[next - 1]);
+    return glm::mix(colours[next - 1], colours[next], std::clamp(t, 0.0F, 1.0F));
+  }
+};
+
+ColourPath colour_path(const Ramp& ramp) {
+  constexpr float kLeastStep = 1e-6F;  // of a jump between two stops in one place
+  const bool steps =
+      std::all_of(ramp.stops.begin(), ramp.stops.end(), [](const RampStop& stop) { return stop.stepped; });
+  ColourPath path{{ramp.stops.front().colour}, {0.0F}};
+  for (size_t i = 1; i < ramp.stops.size(); ++i) {
+    if (ramp.stops[i].colour == path.colours.back()) continue;
+    const float width = ramp.stops[i].position - ramp.stops[i - 1].position;
+    path.colours.push_back(ramp.stops[i].colour);
+    path.places.push_back(path.places.back() + (steps ? 1.0F : std::max(width, kLeastStep)));
+  }
+  return path;
+}
+
 Ramp from_table(std::vector<glm::vec3> table) {
   for (glm::vec3& colour : table) {
     for (int c = 0; c < 3; ++c) colour[c] = clamped(colour[c]);
@@ -133,11 +162,12 @@ Ramp set_all_stepped(const Ramp& ramp, bool stepped) {
 Ramp even_bands(const Ramp& ramp, int count) {
   assert(!ramp.stops.empty());
   const int bands = std::clamp(count, 1, kMaxBands);
+  const ColourPath path = colour_path(ramp);
   Ramp result;
   for (int i = 0; i < bands; ++i) {
-    const float colour_at = bands > 1 ? static_cast<float>(i) / static_cast<float>(bands - 1) : 0.5F;
-    result.stops.push_back(
-        {static_cast<float>(i) / static_cast<float>(bands), evaluate_ramp(ramp, colour_at), true});
+    const float whole = path.places.back();
+    const float place = bands > 1 ? static_cast<float>(i) * whole / static_cast<float>(bands - 1) : whole / 2;
+    result.stops.push_back({static_cast<float>(i) / static_cast<float>(bands), path.at(place), true});
   }
   return result;
 }

@@ -40,8 +40,9 @@ Ramp set_stop_colour(const Ramp& ramp, size_t index, const glm::vec3& colour);
 Ramp set_stop_stepped(const Ramp& ramp, size_t index, bool stepped);
 Ramp set_all_stepped(const Ramp& ramp, bool stepped);
 
-/// `count` steps of equal width (1 to 64, clamped), from the ramp's darkest end to its brightest: band i has
-/// the colour at i / (count - 1), so both ends keep their colours.
+/// `count` steps of equal width (1 to 64, clamped) between the ramp's ends, which keep their colours. Where
+/// the ramp stays at one colour the bands do not: they go on along its colours, so that none repeats the one
+/// before. Of a ramp of steps alone they are spread evenly, whatever the steps' widths.
 Ramp even_bands(const Ramp& ramp, int count);
 
 inline constexpr int kMaxBands = 64;

@@ -125,6 +125,18 @@ TEST(RampEdit, the_papers_bands_stay_when_made_even) {
   for (size_t i = 0; i < 4; ++i) EXPECT_EQ(bands.stops[i].colour, paper.stops[i].colour) << i;
 }
 
+TEST(RampEdit, even_bands_go_on_along_the_colours_where_the_ramp_does_not) {
+  const Ramp held{{{0.4F, glm::vec3(0), false}, {0.6F, glm::vec3(1), false}}, ""};
+  const Ramp stepped{{{0.0F, glm::vec3(0), true}, {0.9F, glm::vec3(1), true}, {0.95F, glm::vec3(1), true}},
+                     ""};
+  for (const Ramp& ramp : {held, stepped}) {
+    const Ramp bands = even_bands(ramp, 5);
+    for (size_t i = 0; i < 5; ++i) EXPECT_FLOAT_EQ(bands.stops[i].colour.x, 0.25F * static_cast<float>(i));
+  }
+  const Ramp plain{{{0.2F, glm::vec3(0.5F), false}}, ""};
+  EXPECT_EQ(even_bands(plain, 3).stops[2].colour, glm::vec3(0.5F));
+}
+
 class RampImage : public testing::Test {
  protected:
   /// One row, `colour(x)`.
