@@ -52,14 +52,39 @@ nlohmann::ordered_json json_of(const ExplainedTerm& term) {
           {"unit", term.unit}, {"inputs", inputs},  {"around", around},    {"cause", term.cause}};
 }
 
+void check_inside(const ImageParams& image, int x, int y) {
+  if (x >= 0 && y >= 0 && x < image.width && y < image.height) return;
+  throw input_error(fmt::format("pixel {}, {}", x, y), "is not inside the image",
+                    fmt::format("x is from 0 to {}, y from 0 to {}", image.width - 1, image.height - 1));
+}
+
 }  // namespace
+
+KeptMaps keep_maps(const Frame& frame) {
+  KeptMaps maps{frame.settings(), {}, frame.lines()};
+  std::vector<BufferName> kept = edge_detector(frame.settings()).maps();
+  for (const BufferName buffer : all_buffers()) {
+    if (buffer.info().shown_as != ShownAs::drawing) kept.push_back(buffer);
+  }
+  kept.push_back(maps.lines);
+  for (const BufferName buffer : kept) {
+    if (maps.raw[buffer].samples.empty()) maps.raw[buffer] = frame.raw(buffer);
+  }
+  return maps;
+}
+
+Explanation explain_pixel(const KeptMaps& maps, int x, int y) {
+  check_inside(maps.settings.image, x, y);
+  Explanation explanation = edge_detector(maps.settings).explain(maps.raw, maps.settings, x, y);
+  explanation.x = x;
+  explanation.y = y;
+  explanation.drawn = maps.raw[maps.lines].at(x, y);
+  return explanation;
+}
 
 Explanation explain_pixel(const Frame& frame, int x, int y) {
   const ImageParams& image = frame.settings().image;
-  if (x < 0 || y < 0 || x >= image.width || y >= image.height) {
-    throw input_error(fmt::format("pixel {}, {}", x, y), "is not inside the image",
-                      fmt::format("x is from 0 to {}, y from 0 to {}", image.width - 1, image.height - 1));
-  }
+  check_inside(image, x, y);
   const EdgeDetector& detector = edge_detector(frame.settings());
   const int reach = detector.reach_px();
   const int left = std::max(x - reach, 0), top = std::max(y - reach, 0);

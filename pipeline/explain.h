@@ -14,6 +14,19 @@ namespace inkbench {
 /// `Frame::raw_part`.
 Explanation explain_pixel(const Frame& frame, int x, int y);
 
+/// What explains any pixel of a frame that is gone: its settings and raw values.
+struct KeptMaps {
+  Settings settings;
+  PerBuffer<Image> raw;  ///< Of the detector's maps and of all buffers whose values people read.
+  BufferName lines;      ///< What the detector gave.
+};
+
+/// Reads whole buffers. Errors: as `Frame::raw`.
+KeptMaps keep_maps(const Frame& frame);
+
+/// As of the frame itself.
+Explanation explain_pixel(const KeptMaps& maps, int x, int y);
+
 /// For a person: the verdict, then each term with its inputs and cause.
 std::string explanation_text(const Explanation& explanation);
 
