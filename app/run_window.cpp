@@ -13,8 +13,10 @@
 #include <limits>
 
 #include "app/panels/frame/main_frame.h"
+#include "app/window/end_signals.h"
 #include "app/window/gui.h"
 #include "app/window/state_file.h"
+#include "app/window/typing_wish.h"
 #include "app/window/workbench.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -68,6 +70,10 @@ class WindowLoop {
   void write_state();
   void drag_by_itself();
   bool is_dragging_itself() const { return drag_frame_ < options_.drag_frames; }
+  bool has_frames_to_draw() const {
+    return frames_wanted_ > 0 || !input_.is_empty() || typing_is_expected() || is_dragging_itself();
+  }
+  void want_frames() { frames_wanted_ = kSettleFrames; }
 
   const WindowOptions& options_;
   Keeping keeping_;
@@ -81,6 +87,7 @@ class WindowLoop {
   double next_poll_ = 0.0;
   double wake_at_ = kNever;
   int drag_frame_ = 0;
+  long drawn_log_ = 0;  ///< The log's revision when the last frame began.
   std::string written_state_;
   bool failed_frame_ = false;
 };
@@ -108,6 +115,7 @@ WindowLoop::WindowLoop(const WindowOptions& options)
       gui_(window_, input_),
       bench_(start_, keeping_),
       frame_(bench_) {
+  watch_end_signals();
   tell_notes();
   if (start_.layout.maximised) window_.maximise();
   if (!options.state_file.empty()) bench_.ui_map.enable();
@@ -118,27 +126,26 @@ WindowLoop::WindowLoop(const WindowOptions& options)
 /// Sleeps until there is something to do; sets how many frames that takes.
 void WindowLoop::wait() {
   const double now = seconds_now();
-  const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
-  if (busy) {
+  if (has_frames_to_draw()) {
     poll_events();
   } else {
     write_state();
     wait_for_events(std::min(next_poll_, wake_at_) - now);
   }
-  if (input_.take_activity()) frames_wanted_ = kSettleFrames;
+  if (end_is_asked()) window_.close();
+  if (input_.take_activity()) want_frames();
   if (seconds_now() >= wake_at_) {
     frames_wanted_ = std::max(frames_wanted_, 1);
     wake_at_ = kNever;
   }
-  if (bench_.news.take()) frames_wanted_ = std::max(frames_wanted_, 2);
+  if (bench_.news.take()) want_frames();
   if (seconds_now() >= next_poll_) poll();
+  if (bench_.log.revision() != drawn_log_) want_frames();
 }
 
 /// Now and then, also while nothing happens.
 void WindowLoop::poll() {
-  const long told = bench_.log.revision();
-  const bool edited = bench_.viewer.disk.poll();
-  if (edited || bench_.log.revision() != told) frames_wanted_ = std::max(frames_wanted_, 2);
+  if (bench_.viewer.disk.poll()) want_frames();
   if (options_.drag_frames == 0) keeping_.autosave(bench_.document, bench_.layout, seconds_now());
   tell_notes();
   next_poll_ = seconds_now() + kPollSeconds;
@@ -157,6 +164,7 @@ void WindowLoop::build_frame() {
 
 void WindowLoop::draw_frame() {
   const auto start = std::chrono::steady_clock::now();
+  drawn_log_ = bench_.log.revision();
   gui_.set_look(bench_.layout.theme, bench_.layout.ui_scale);
   gui_.begin_frame();
   try {
@@ -190,7 +198,6 @@ void WindowLoop::take_requests() {
   if (requests.screenshot) take_screenshot();
   if (requests.toggle_full_screen) window_.toggle_full_screen();
   if (requests.close) window_.close();
-  if (requests.keyboard) input_.hold_keys(2);
   wake_at_ = std::min(wake_at_, seconds_now() + requests.wake_seconds);
   const WindowSize size = window_.size();
   bench_.layout.maximised = window_.is_maximised();
@@ -240,14 +247,14 @@ void WindowLoop::run() {
   int frames = 0;
   while (!window_.wants_to_close()) {
     wait();
-    const bool busy = frames_wanted_ > 0 || !input_.is_empty() || is_dragging_itself();
-    if (!busy) continue;
+    if (!has_frames_to_draw()) continue;
     drag_by_itself();
     draw_frame();
     --frames_wanted_;
     ++frames;
     const bool waits_for_times = bench_.viewer.timer.is_waiting() || bench_.viewer.has_late();
     if (waits_for_times && frames_wanted_ <= 0 && !bench_.document.is_editing()) frames_wanted_ = 1;
+    if (gui_.is_measuring()) frames_wanted_ = std::max(frames_wanted_, 1);
   }
   if (options_.drag_frames > 0) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -6,7 +6,9 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <epoxy/gl.h>
 #include <imgui_freetype.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -98,6 +100,13 @@ void Gui::begin_frame() {
   ImGui_ImplGlfw_NewFrame();
   input_.feed();
   ImGui::NewFrame();
+}
+
+bool Gui::is_measuring() const {
+  const auto& windows = ImGui::GetCurrentContext()->Windows;
+  return std::any_of(windows.begin(), windows.end(), [](const ImGuiWindow* window) {
+    return window->Active && window->HiddenFramesCannotSkipItems > 0;
+  });
 }
 
 void Gui::end_frame() {

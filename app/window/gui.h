@@ -32,6 +32,9 @@ class Gui {
   void begin_frame();
   /// Draws the frame into the window. Errors (work): what OpenGL reports.
   void end_frame();
+  /// Whether a window of the last frame is not seen yet, since ImGui hides it while it measures it: a tooltip
+  /// that came up though nothing happened needs another frame.
+  bool is_measuring() const;
 
  private:
   void make_fonts(float scale);

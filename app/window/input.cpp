@@ -10,6 +10,8 @@
 #include <set>
 #include <utility>
 
+#include "app/window/typing_wish.h"
+
 namespace inkbench {
 namespace {
 
@@ -30,6 +32,7 @@ struct InputQueue::FrameState {
   std::bitset<5> buttons;  ///< That changed.
   std::set<int> keys;      ///< That changed.
   bool scrolled = false, other_keys = false;
+  bool shortcut = false;    ///< A key with Ctrl or Alt: what follows may be meant for what it opens.
   std::optional<int> mods;  ///< That were held for the keys and buttons, as the desktop says.
 
   /// Whether the event's modifiers are those of the events before it.
@@ -98,7 +101,7 @@ void InputQueue::watch_window() {
 }
 
 bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
-  if (held_frames_ > 0 && (event.kind == Kind::key || event.kind == Kind::text)) return false;
+  if (holds_keys_ && (event.kind == Kind::key || event.kind == Kind::text)) return false;
   switch (event.kind) {
     case Kind::move:
     case Kind::leave:
@@ -123,10 +126,13 @@ bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
       if (frame.buttons.any() || frame.scrolled || frame.keys.contains(event.code)) return false;
       if (is_modifier(event.code) && !frame.keys.empty()) return false;  // it was held for those keys, or not
       if (!is_modifier(event.code)) {
+        if (frame.shortcut && event.action == GLFW_PRESS) return false;
         if (!frame.agrees(event)) return false;
         frame.mods = event.mods;
       }
       frame.keys.insert(event.code);
+      frame.shortcut |= !is_modifier(event.code) && event.action == GLFW_PRESS &&
+                        (event.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) != 0;
       frame.other_keys |= !makes_text(event.code);
       ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.mods);
       return true;
@@ -140,8 +146,8 @@ bool InputQueue::feed_one(const InputEvent& event, FrameState& frame) {
 
 void InputQueue::feed() {
   FrameState frame;
+  holds_keys_ = keys_must_wait();
   while (!events_.empty() && feed_one(events_.front(), frame)) events_.pop_front();
-  held_frames_ = std::max(held_frames_ - 1, 0);
   ImGuiIO& io = ImGui::GetIO();
   const bool known = mouse_inside_ || buttons_.any();
   io.MousePos =

@@ -31,9 +31,6 @@ class InputQueue {
   /// ImGui_ImplGlfw_NewFrame and ImGui::NewFrame.
   void feed();
 
-  /// Keeps keys and text back for so many frames: a text field that asked for the keyboard is not there yet.
-  void hold_keys(int frames) { held_frames_ = frames; }
-
   bool is_empty() const { return events_.empty(); }
 
   /// Whether anything happened since the last call, repaint requests of the desktop included.
@@ -55,7 +52,7 @@ class InputQueue {
   std::deque<InputEvent> events_;
   std::vector<std::string> dropped_;
   bool activity_ = true;
-  int held_frames_ = 0;
+  bool holds_keys_ = false;  ///< In this frame, for a text field that is not there yet.
   double mouse_x_ = -1.0, mouse_y_ = -1.0;
   bool mouse_inside_ = false;
   std::bitset<5> buttons_;

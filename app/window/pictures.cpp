@@ -110,6 +110,7 @@ void Pictures::pin(const Frame& frame) {
     pinned_[buffer].texture = &pinned_textures_[buffer];
     pinned_[buffer].key = KeyBuilder().add("pinned").add(now.key).key();
   }
+  pinned_maps_ = keep_maps(frame);
   pinned_view_ = {
       {std::make_shared<Image>(frame.raw(BufferName::lines)), reference_.now()->lines},
       KeyBuilder().add(shown(BufferName::lines, true).key).add(shown(BufferName::reference, true).key).key()};
@@ -122,6 +123,7 @@ void Pictures::unpin() {
   pinned_textures_.clear();
   pinned_view_ = {};
   pinned_settings_.reset();
+  pinned_maps_.reset();
 }
 
 }  // namespace inkbench

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/window/reference_desk.h"
+#include "pipeline/explain.h"
 #include "pipeline/pipeline.h"
 
 namespace inkbench {
@@ -53,6 +54,8 @@ class Pictures {
   void pin(const Frame& frame);
   void unpin();
   const std::optional<Settings>& pinned_settings() const { return pinned_settings_; }
+  /// What explains the pinned state's pixels; nothing where nothing is pinned.
+  const std::optional<KeptMaps>& pinned_maps() const { return pinned_maps_; }
   /// The pinned state's edges and reference lines; empty where nothing is pinned.
   const KeyedView& pinned_view() const { return pinned_view_; }
 
@@ -73,6 +76,7 @@ class Pictures {
   PerBuffer<Stage<ShownRange>> ranges_;
   PerBuffer<Texture> pinned_textures_;
   std::optional<Settings> pinned_settings_;
+  std::optional<KeptMaps> pinned_maps_;
   KeyedView pinned_view_;
   ReferenceDesk reference_;
 };

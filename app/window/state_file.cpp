@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/state_file.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -54,11 +55,8 @@ Json judge_of(const JudgeDesk& judge) {
 Json why_of(const Workbench& bench) {
   if (!bench.view.marked) return nullptr;
   const Explanation& why = bench.viewer.explained();
-  Json json{{"pixel", {why.x, why.y}},
-            {"sum", why.sum},
-            {"inked", why.is_line},
-            {"drawn", why.drawn},
-            {"text", why.verdict}};
+  Json json{{"pixel", {why.x, why.y}}, {"sum", why.sum},      {"inked", why.is_line},
+            {"drawn", why.drawn},      {"text", why.verdict}, {"pinned", asks_pinned(bench.view)}};
   for (const ExplainedTerm& term : why.terms) {
     json[term.name]["p"] = term.value;
     for (const ExplainedInput& input : term.inputs) json[term.name][input.name] = input.value;
@@ -96,6 +94,22 @@ Json log_of(const MessageLog& log) {
   Json json = Json::array();
   for (const Message& message : log.messages()) json.push_back(message.text);
   return json;
+}
+
+Json errors_of(const MessageLog& log) {
+  Json json = Json::array();
+  for (const Message& message : log.messages()) {
+    if (message.severity == Severity::error) json.push_back(message.text);
+  }
+  return json;
+}
+
+/// Whether one is seen, beyond the frame in which ImGui measures it.
+bool shows_tooltip() {
+  const auto& windows = ImGui::GetCurrentContext()->Windows;
+  return std::any_of(windows.begin(), windows.end(), [](const ImGuiWindow* window) {
+    return (window->Flags & ImGuiWindowFlags_Tooltip) != 0 && window->Active && !window->Hidden;
+  });
 }
 
 Json form_of(const Studies& studies) {
@@ -162,7 +176,9 @@ std::string state_text(const Workbench& bench) {
             {"judge", judge_of(bench.viewer.judge)},
             {"why", why_of(bench)},
             {"studies", studies_of(bench.studies)},
-            {"log", log_of(bench.log)}};
+            {"tooltip", shows_tooltip()},
+            {"log", log_of(bench.log)},
+            {"errors", errors_of(bench.log)}};
   json["bookmarks"] = Json::array();
   for (const CameraBookmark& bookmark : bench.keeping.bookmarks())
     json["bookmarks"].push_back({bookmark.name, bookmark.key});

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/workbench/duration_text.h"
+#include "app/workbench/own_program.h"
 #include "app/workbench/study_plan.h"
 #include "app/workbench/user_folder.h"
 #include "pipeline/base/error.h"
@@ -24,13 +25,6 @@ constexpr double kWriteSecondsPerPixel = 1e-7;
 
 fs::path list_file() {
   return user_folder() / "studies.toml";
-}
-
-/// This very program; the link stays right when the file is moved.
-fs::path own_program() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path("/proc/self/exe") : program;
 }
 
 }  // namespace
@@ -120,10 +114,14 @@ const CheckedForm& Studies::checked(const Settings& settings, const fs::path& sc
   const bool known = checked_.form.has_value();
   if (known && !settled) return checked_.result;
   const std::string text = settings_text(settings) + "\n" + scene.string();
-  if (known && *checked_.form == *form_ && checked_.settings == text) return checked_.result;
+  std::error_code error;
+  const bool has_folder = fs::is_directory(form_->folder, error);
+  const bool is_same = known && *checked_.form == *form_ && checked_.has_folder == has_folder;
+  if (is_same && checked_.settings == text) return checked_.result;
   checked_.result = check_form(*form_, settings, scene);
   checked_.form = *form_;
   checked_.settings = text;
+  checked_.has_folder = has_folder;
   return checked_.result;
 }
 
@@ -217,7 +215,7 @@ bool Studies::poll() {
   }
   if (open.empty()) return false;
   const bool changed = queue_.poll();
-  for (const std::string& message : queue_.take_messages()) messages_.push_back({true, message});
+  for (const auto& [is_problem, text] : queue_.take_messages()) messages_.push_back({is_problem, text});
   for (const StudyJob& job : queue_.jobs()) {
     if (job.is_over() && open.contains(job.number)) note_end(job);
   }

@@ -108,6 +108,7 @@ class Studies {
   struct {
     std::optional<StudyForm> form;
     std::string settings;
+    bool has_folder = false;
     CheckedForm result;
   } checked_;
   bool shows_form_ = true;

@@ -33,6 +33,13 @@ void keep_in_sight(ViewState& view, const TileFrame& frame) {
 
 }  // namespace
 
+bool asks_pinned(const ViewState& view) {
+  const Comparison& comparison = view.comparison;
+  if (!view.marked || !comparison.active) return false;
+  if (comparison.flips) return (comparison.shows_b ? comparison.b : comparison.a).pinned;
+  return view.marked->pinned && (comparison.a.pinned || comparison.b.pinned);
+}
+
 double magnification(const ViewState& view, const TileFrame& frame) {
   return std::max(fit_magnification(frame) * view.zoom, 1e-6);
 }

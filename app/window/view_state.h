@@ -33,6 +33,7 @@ struct HoveredPixel {
 /// A pixel of all pictures; (0, 0) is the top left one.
 struct MarkedPixel {
   int x = 0, y = 0;
+  bool pinned = false;  ///< It was clicked on a pinned picture.
   bool operator==(const MarkedPixel&) const = default;
 };
 
@@ -60,6 +61,10 @@ struct ViewState {
     centre_x = centre_y = 0.5;
   }
 };
+
+/// Whether what is asked of the marked pixel is asked of the pinned state: that picture was clicked, or is
+/// the one that is shown of the two.
+bool asks_pinned(const ViewState& view);
 
 /// A tile's rectangle in the window and the picture's size, both in pixels.
 struct TileFrame {

@@ -85,6 +85,16 @@ const Explanation& Viewer::explain(int x, int y) {
   return explanation_;
 }
 
+const Explanation& Viewer::explain_pinned(int x, int y) {
+  const KeptMaps& maps = *pictures.pinned_maps();
+  const Key lines = pictures.shown(maps.lines, true).key;
+  const Key key = KeyBuilder().add(lines).add(std::to_string(x)).add(std::to_string(y)).key();
+  if (key == explained_) return explanation_;
+  explanation_ = explain_pixel(maps, x, y);
+  explained_ = key;
+  return explanation_;
+}
+
 void Viewer::pin() {
   if (!drawn_) return;
   try {

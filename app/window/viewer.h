@@ -46,6 +46,8 @@ class Viewer {
   TileOverlay overlay() { return judge.overlay(layout_.overlay, pictures.reference()); }
   /// Why the pixel of what is drawn is a line or not; kept until either changes. Errors: as `explain_pixel`.
   const Explanation& explain(int x, int y);
+  /// The same of the pinned state, which must be there.
+  const Explanation& explain_pinned(int x, int y);
   /// The last one.
   const Explanation& explained() const { return explanation_; }
   /// Keeps the shown pictures to compare with.

@@ -14,7 +14,6 @@ enum class FileDialog { open, save_settings, save_image };
 
 struct WindowRequests {
   bool close = false, toggle_full_screen = false, screenshot = false;
-  bool keyboard = false;  ///< A text field asked for it and has it two frames later.
   double wake_seconds = std::numeric_limits<double>::infinity();
 
   /// Another frame is wanted after so many seconds, though nothing happens until then: a delayed tooltip.

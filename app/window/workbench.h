@@ -8,6 +8,7 @@
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
 #include "app/window/viewer.h"
+#include "app/window/window.h"
 #include "app/window/window_requests.h"
 #include "app/workbench/document.h"
 #include "app/workbench/file_opener.h"
@@ -28,7 +29,7 @@ struct Workbench {
   UiMap ui_map;
   WindowRequests requests;
   WantedDialog wanted_dialog;
-  MessageLog log;
+  MessageLog log{wake_window};  ///< What is told beside the window is shown at once, too.
   Problems problems{log};
   Document document;
   Studies studies;

@@ -102,6 +102,13 @@ void Document::end_edit() {
   ++revision_;
 }
 
+void Document::cancel_edit() {
+  if (!is_editing()) return;
+  history_.cancel_edit();
+  problems_.dismiss(ProblemKind::input);
+  ++revision_;
+}
+
 void Document::undo() {
   if (history_.can_undo()) go_to_step(history_.position() - 1);
 }

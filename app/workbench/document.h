@@ -59,6 +59,8 @@ class Document {
   /// Changes between these two are one step: a slider that is being dragged, an orbit.
   void begin_edit();
   void end_edit();
+  /// As if it had never begun.
+  void cancel_edit();
   bool is_editing() const { return history_.is_editing(); }
   const History& history() const { return history_; }
   /// Nothing happens where there is nothing to undo or redo, nor during an edit.

@@ -71,6 +71,12 @@ bool History::end_edit() {
   return add_step(edit_start_, edit_name_, origin_);
 }
 
+void History::cancel_edit() {
+  if (!editing_) return;
+  editing_ = false;
+  current_ = edit_start_;
+}
+
 bool History::edit_has_changes() const {
   return editing_ && !same_settings(edit_start_, current_);
 }

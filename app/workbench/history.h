@@ -41,6 +41,8 @@ class History {
   void begin_edit(const std::string& name = "");
   void update_edit(Settings next);
   bool end_edit();
+  /// Back to where it began: no step.
+  void cancel_edit();
   bool is_editing() const { return editing_; }
 
   /// An open edit is ended first, so that undo takes it back.

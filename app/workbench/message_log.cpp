@@ -21,6 +21,11 @@ std::string clock_text() {
 }  // namespace
 
 void MessageLog::add(Severity severity, const std::string& text) {
+  put(severity, text);
+  if (told_) told_();
+}
+
+void MessageLog::put(Severity severity, const std::string& text) {
   const std::lock_guard lock(mutex_);
   ++revision_;
   if (!messages_.empty() && messages_.back().severity == severity && messages_.back().text == text) {
@@ -38,9 +43,12 @@ std::vector<Message> MessageLog::messages() const {
 }
 
 void MessageLog::clear() {
-  const std::lock_guard lock(mutex_);
-  messages_.clear();
-  ++revision_;
+  {
+    const std::lock_guard lock(mutex_);
+    messages_.clear();
+    ++revision_;
+  }
+  if (told_) told_();
 }
 
 long MessageLog::revision() const {

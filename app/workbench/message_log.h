@@ -3,8 +3,10 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace inkbench {
@@ -20,6 +22,9 @@ struct Message {
 
 class MessageLog {
  public:
+  /// `told` is called after every change, on the thread that made it.
+  explicit MessageLog(std::function<void()> told = {}) : told_(std::move(told)) {}
+
   void add(Severity severity, const std::string& text);
   std::vector<Message> messages() const;
   void clear();
@@ -27,6 +32,9 @@ class MessageLog {
   long revision() const;
 
  private:
+  void put(Severity severity, const std::string& text);
+
+  std::function<void()> told_;
   mutable std::mutex mutex_;
   std::deque<Message> messages_;
   long revision_ = 0;

@@ -106,6 +106,9 @@ void check_place(const StudyForm& form) {
   if (!form.folder.is_absolute()) throw input_error("the folder", "is not a whole path", "begin it with /");
   const bool good = form.name.find('/') == std::string::npos && form.name != "." && form.name != "..";
   if (!good) throw input_error("the name", "\"" + form.name + "\" is not a file's name");
+  std::error_code error;
+  if (form.folder != form.usual_folder && !fs::is_directory(form.folder, error))
+    throw input_error("the folder", form.folder.string() + " is not there", "make it, or mend the path");
 }
 
 /// Whether the spec's out folder would be the folder itself or something that is no folder.
@@ -137,7 +140,7 @@ StudyForm empty_form(const Settings& settings, const fs::path& folder) {
   form.request.title.clear();
   form.width_px = settings.image.width;
   form.height_px = settings.image.height;
-  form.folder = folder;
+  form.folder = form.usual_folder = folder;
   return form;
 }
 
@@ -147,7 +150,7 @@ StudyForm form_of_file(const fs::path& file, const fs::path& folder) {
   form.own_text = spec_text(form.source);
   if (form.own_text->empty() || form.own_text->size() > kMaxSpecBytes || !is_utf8(*form.own_text))
     throw input_error(file.string(), "is no study", "give a spec file (TOML)");
-  form.folder = folder;
+  form.folder = form.usual_folder = folder;
   return form;
 }
 

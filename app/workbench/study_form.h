@@ -17,7 +17,8 @@ struct StudyForm {
   SweepRequest request;  ///< An empty title is made from the axes.
   int width_px = 0, height_px = 0;
   std::string name;              ///< Of the spec's file and the folder beside it; empty: made from the axes.
-  std::filesystem::path folder;  ///< Where both go.
+  std::filesystem::path folder;  ///< Where both go: it must be there, unless it is
+  std::filesystem::path usual_folder;   ///< the one that is made where it is missing.
   std::optional<std::string> own_text;  ///< The spec as it was written by hand, instead of the request.
   std::filesystem::path source;         ///< The file that `own_text` came from; empty without one.
 

@@ -12,7 +12,7 @@ namespace inkbench {
 namespace {
 
 constexpr double kPatienceSeconds = 2.0;
-constexpr std::string_view kErrorStart = "inkbench: error: ", kStart = "inkbench: ";
+constexpr std::string_view kErrorStart = "inkbench: error: ", kNoteStart = "inkbench: note: ";
 
 }  // namespace
 
@@ -56,10 +56,11 @@ void StudyQueue::start(StudyJob& job) {
                                  "--progress", "json"},
         ChildOptions{.yields = true});
     job.state = StudyState::running;
+    told_.clear();
   } catch (const Error& error) {
     job.state = StudyState::failed;
     job.problem = error.what();
-    messages_.push_back(job.title + ": " + error.what());
+    messages_.push_back({true, job.title + ": " + error.what()});
   }
 }
 
@@ -84,13 +85,14 @@ bool StudyQueue::listen(StudyJob& job) {
   const ChildProcess::Lines lines = process_->take_lines();
   for (const std::string& line : lines.out) take_line(job, line);
   for (const std::string& line : lines.err) {
-    if (!line.starts_with(kStart)) continue;
     const bool is_error = line.starts_with(kErrorStart);
-    const std::string text = line.substr(is_error ? kErrorStart.size() : kStart.size());
+    if (!is_error && !line.starts_with(kNoteStart)) continue;
+    const std::string text = line.substr(is_error ? kErrorStart.size() : kNoteStart.size());
     // That it was stopped is what was asked for.
     if (is_error && job.state == StudyState::stopping) continue;
     if (is_error) job.problem = text;
-    messages_.push_back(job.title + ": " + text);
+    if (!is_error && !told_.insert(text).second) continue;
+    messages_.push_back({is_error, job.title + ": " + text});
   }
   return !lines.out.empty() || !lines.err.empty();
 }
@@ -105,7 +107,7 @@ void StudyQueue::note_end(StudyJob& job) {
     job.state = StudyState::failed;
     if (process_->signal() != 0) {
       job.problem = std::string("was ended by the system: ") + strsignal(process_->signal());
-      messages_.push_back(job.title + ": " + job.problem);
+      messages_.push_back({true, job.title + ": " + job.problem});
     }
   }
   process_.reset();
@@ -150,7 +152,7 @@ void StudyQueue::stop_all(double patience_seconds) {
   note_end(*job);
 }
 
-std::vector<std::string> StudyQueue::take_messages() {
+std::vector<StudyQueue::StudyMessage> StudyQueue::take_messages() {
   return std::exchange(messages_, {});
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,8 +55,14 @@ class StudyQueue {
   const std::vector<StudyJob>& jobs() const { return jobs_; }
   bool is_busy() const;
 
-  /// What the studies wrote of errors and notes since the last call.
-  std::vector<std::string> take_messages();
+  /// What a study wrote.
+  struct StudyMessage {
+    bool is_problem = false;  ///< An error; else a note, which stops nothing.
+    std::string text;
+    bool operator==(const StudyMessage&) const = default;
+  };
+  /// Since the last call. What a study writes of each of its cells in the same words is told once.
+  std::vector<StudyMessage> take_messages();
 
  private:
   StudyJob* running();
@@ -67,7 +74,8 @@ class StudyQueue {
   std::filesystem::path program_;
   std::vector<StudyJob> jobs_;
   std::unique_ptr<ChildProcess> process_;
-  std::vector<std::string> messages_;
+  std::vector<StudyMessage> messages_;
+  std::set<std::string> told_;  ///< Notes of the study that runs.
   int next_number_ = 1;
 };
 

@@ -139,6 +139,21 @@ void AppTest::kill_program() {
   EXPECT_EQ(wait_for_end(), -1);
 }
 
+void AppTest::send_signal(int signal) {
+  kill(process_, signal);
+}
+
+void AppTest::while_it_stands_still(const std::function<void()>& act) {
+  kill(process_, SIGSTOP);
+  try {
+    act();
+  } catch (...) {
+    kill(process_, SIGCONT);
+    throw;
+  }
+  kill(process_, SIGCONT);
+}
+
 Json AppTest::state() const {
   const std::string text = text_of(file("state.json"));
   return text.empty() ? Json() : Json::parse(text);
@@ -224,6 +239,14 @@ void AppTest::type_over(const std::string& widget, const std::string& text) {
 
 void AppTest::wait_for_text_field() {
   wait_for("a text field", [](const Json& now) { return now["text_field"].get<bool>(); });
+}
+
+void AppTest::press_and_move(const Place& from, const Place& to) {
+  const auto text = [](int number) { return std::to_string(number); };
+  input({"mousemove", text(from.x), text(from.y)});
+  input({"mousedown", "1"});
+  input({"mousemove", text((from.x + to.x) / 2), text((from.y + to.y) / 2)});
+  input({"mousemove", text(to.x), text(to.y)});
 }
 
 void AppTest::drag(const Place& from, const Place& to, int button) {

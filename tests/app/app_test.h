@@ -34,6 +34,9 @@ class AppTest : public testing::Test {
   void quit();
   /// Without a chance to tidy up.
   void kill_program();
+  void send_signal(int signal);
+  /// What is typed and clicked meanwhile comes all at once, as in one very slow frame.
+  void while_it_stands_still(const std::function<void()>& act);
 
   /// What the window says now.
   Json state() const;
@@ -70,6 +73,9 @@ class AppTest : public testing::Test {
   void type_over(const std::string& widget, const std::string& text);
   void wait_for_text_field();
   void drag(const Place& from, const Place& to, int button = 1);
+  /// The first half of a drag: the button stays down.
+  void press_and_move(const Place& from, const Place& to);
+  void release() { input({"mouseup", "1"}); }
   void keys(const std::string& keys) { input({"key", keys}); }
   void type(const std::string& text) {
     xdotool({"type", "--delay", "15", text});

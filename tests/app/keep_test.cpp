@@ -195,6 +195,82 @@ TEST_F(AppKeep, saved_pictures_are_the_files_that_render_writes) {
   EXPECT_TRUE(bytes_of(file("b.exr")) == bytes_of(render("depth_edges", "exr")));
 }
 
+TEST_F(AppKeep, typed_path_of_a_file_that_is_there_is_asked_about_and_then_replaced) {
+  open();
+  write("sub/a.png", "kept");
+  const fs::path there = file("sub/a.png");
+  for (const char* field : {"chooser:name", "path"}) {
+    write("sub/a.png", "kept");
+    keys("ctrl+e");
+    wait_for("the dialog", [](const Json& now) { return now["ui"].contains("chooser:name"); });
+    wait_for_text_field();
+    click(field);
+    keys("ctrl+a");
+    type(there.string());
+    keys("Return");
+    wait_for("the question", [](const Json& now) { return now["ui"].contains("chooser:replace"); });
+    EXPECT_EQ(bytes_of(there), "kept");
+    click("chooser:ok");
+    wait_for("the end", [](const Json& now) { return !now["ui"].contains("chooser:ok"); });
+    EXPECT_NE(bytes_of(there), "kept") << field;
+  }
+  EXPECT_EQ(settled()["log"].back(), "saved final as " + there.string());
+}
+
+TEST_F(AppKeep, name_without_an_ending_is_asked_about_with_the_one_that_it_gets) {
+  open();
+  write("a.png", "kept");
+  keys("ctrl+e");
+  wait_for("the dialog", [](const Json& now) { return now["ui"].contains("chooser:name"); });
+  wait_for_text_field();
+  keys("ctrl+a");
+  type("a");
+  keys("Return");
+  wait_for("the question", [](const Json& now) { return now["ui"].contains("chooser:replace"); });
+  EXPECT_EQ(bytes_of(file("a.png")), "kept");
+}
+
+TEST_F(AppKeep, saving_into_a_mistyped_folder_makes_none_and_says_so) {
+  open();
+  for (const char* dialog : {"ctrl+e", "ctrl+shift+s"}) {
+    keys(dialog);
+    wait_for("the dialog", [](const Json& now) { return now["ui"].contains("chooser:name"); });
+    wait_for_text_field();
+    keys("ctrl+a");
+    type((file("piktures") / "a").string());
+    keys("Return");
+    wait_for("the reason", [](const Json& now) { return now["ui"].contains("chooser:problem"); });
+    EXPECT_FALSE(fs::exists(file("piktures")));
+    keys("Escape");
+    wait_for("the end", [](const Json& now) { return !now["ui"].contains("chooser:ok"); });
+  }
+}
+
+TEST_F(AppKeep, copied_command_run_by_a_shell_anywhere_draws_the_same_picture) {
+  fs::create_directories(file("it's here"));
+  fs::create_directories(file("elsewhere"));
+  write("it's here/t.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  write("it's here/scene.toml",
+        small_scene() + "[[model]]\nname = \"t\"\nshape = \"mesh\"\nmesh = \"t.obj\"\n");
+  open_with(
+      {"--scene", file("it's here/scene.toml").string(), "--set", "judge.crease=allowed", "--set",
+       "ramp.diffuse=[{position = 0, colour = [0.1, 0.2, 0.3], stepped = true}, {position = 0.5, colour "
+       "= 1, stepped = false}]",
+       "--set", "light.key.direction=[0, 1, 0.5]", "--set", "model.t.material.colour=[1, 0.5, 0]"});
+  pull(0.2, 1);
+  save_picture("a.png");
+  keys("ctrl+shift+c");
+  const std::string start = "copied: ";
+  const Json copied = wait_for("the command", [&](const Json& now) {
+    return now["log"].back().get<std::string>().starts_with(start);
+  });
+  const std::string command = copied["log"].back().get<std::string>().substr(start.size());
+  const CommandResult result = run_command(
+      {"/bin/sh", "-c", command}, {.working_folder = file("elsewhere"), .environment = environment_});
+  EXPECT_EQ(result.status, 0) << command << "\n" << result.err;
+  EXPECT_TRUE(bytes_of(file("elsewhere/out/render/final.png")) == bytes_of(file("a.png"))) << command;
+}
+
 TEST_F(AppKeep, an_exported_picture_brings_its_parameters_back) {
   open();
   const std::string k = pull(0.2, 1);

@@ -120,6 +120,93 @@ TEST_F(AppParameters, typed_text_with_shortcut_letters_is_only_text) {
   EXPECT_EQ(now["view"]["tool"], "view");
 }
 
+TEST_F(AppParameters, what_is_typed_into_a_slow_window_goes_into_the_number_that_was_clicked) {
+  open();
+  const std::string key = "combine.threshold";
+  const Place at = place("bar:" + key);
+  while_it_stands_still([&] {
+    xdotool({"mousemove", std::to_string(at.x), std::to_string(at.y), "keydown", "ctrl", "click", "1",
+             "keyup", "ctrl", "type", "--delay", "0", "0.51"});
+  });
+  keys("Return");
+  const Json after = wait_for("the number", [&](const Json& now) { return parameter(now, key) == "0.51"; });
+  EXPECT_EQ(after["view"]["filled"], "") << "a digit is no shortcut there";
+}
+
+TEST_F(AppParameters, tab_in_a_slow_window_loses_no_digit_of_the_next_number) {
+  open();
+  const Place at = place("bar:combine.k_depth");
+  while_it_stands_still([&] {
+    xdotool({"mousemove", std::to_string(at.x), std::to_string(at.y), "keydown", "ctrl", "click", "1",
+             "keyup", "ctrl", "type", "--delay", "0", "0.002\t0.03"});
+  });
+  keys("Return");
+  const Json after = wait_for("both numbers", [&](const Json& now) {
+    return parameter(now, "combine.k_depth") == "0.002" && parameter(now, "combine.k_normal") == "0.03";
+  });
+  EXPECT_EQ(after["view"]["filled"], "");
+}
+
+TEST_F(AppParameters, dragging_with_shift_moves_a_value_a_tenth_as_far_from_where_it_is) {
+  open();
+  const std::string key = "combine.threshold";
+  const auto value = [&] { return std::stod(parameter(settled(), key)); };
+  const Place low = place("bar:" + key, 0.3), high = place("bar:" + key, 0.7);
+  input({"mousemove", std::to_string(low.x), std::to_string(low.y), "click", "1"});
+  const double low_value = value();
+  input({"mousemove", std::to_string(high.x), std::to_string(high.y), "click", "1"});
+  const double high_value = value();
+  ASSERT_GT(high_value, low_value);
+  input({"keydown", "shift"});
+  press_and_move(low, high);  // pressed far from the value, which does not jump there
+  input({"keyup", "shift"});
+  release();
+  const double way = high_value - low_value;
+  EXPECT_NEAR(value(), high_value + 0.1 * way, 0.02 * way);
+}
+
+TEST_F(AppParameters, escape_during_a_drag_brings_the_value_from_before_back) {
+  open();
+  const std::string key = "combine.threshold";
+  const std::string before = parameter(state(), key);
+  keys("1");
+  const Place from = place("bar:" + key, 0.4), to = place("bar:" + key, 0.9);
+  press_and_move(from, to);
+  wait_for("the drag", [&](const Json& now) { return parameter(now, key) != before; });
+  keys("Escape");
+  wait_for("the value", [&](const Json& now) { return parameter(now, key) == before; });
+  input({"mousemove", std::to_string(from.x), std::to_string(from.y)});
+  release();
+  const Json after = settled();
+  EXPECT_EQ(parameter(after, key), before) << "the drag is over";
+  EXPECT_TRUE(after["steps"].empty());
+  EXPECT_EQ(after["view"]["filled"], "normal") << "Esc was for the drag alone";
+}
+
+TEST_F(AppParameters, escape_gives_up_what_else_is_dragged) {
+  open();
+  const auto is_given_up = [&](const char* what, const Place& from, const Place& to) {
+    const Json before = settled();
+    const auto same = [&](const Json& now) {
+      return now["layout"] == before["layout"] && now["parameters"] == before["parameters"] &&
+             now["view"]["comparison"] == before["view"]["comparison"];
+    };
+    press_and_move(from, to);
+    wait_for(std::string("the drag of ") + what, [&](const Json& now) { return !same(now); });
+    keys("Escape");
+    release();
+    EXPECT_TRUE(same(settled())) << what;
+  };
+  const Place edge = place("divider:left");
+  is_given_up("a divider", edge, {edge.x + 60, edge.y});
+  keys("o");
+  is_given_up("the camera", place("tile:final", 0.3), place("tile:final", 0.7));
+  keys("v");
+  keys("c");
+  const Place split = place("split");
+  is_given_up("the line between two pictures", split, {split.x + 60, split.y});
+}
+
 TEST_F(AppParameters, choice_and_switch_change_by_click) {
   open();
   click("check:combine.use_depth");

@@ -192,6 +192,10 @@ TEST_F(AppStudy, sweep_is_saved_as_a_spec_that_the_command_line_runs_unchanged) 
   type_over("axis 0 count", "3");
   wait_for("the count", [](const Json& now) { return now["studies"]["form"]["cells"] == 3; });
   fill_in("study Folder", file("specs").string());
+  wait_for("the reason", [](const Json& now) { return now["studies"]["form"]["problem"] != ""; });
+  click("run study");
+  EXPECT_FALSE(fs::exists(file("specs"))) << "a mistyped folder is not made";
+  fs::create_directories(file("specs"));
   fill_in("study Name", "mine");
   const fs::path spec = file("specs") / "mine.toml";
   wait_for("the name", [&](const Json& now) { return now["studies"]["form"]["spec"] == spec.string(); });
@@ -435,6 +439,23 @@ TEST_F(AppStudy, page_draws_no_more_frames_than_progress_needs_and_none_when_idl
   const long form = settled()["frames"];
   std::this_thread::sleep_for(pause);
   EXPECT_EQ(settled()["frames"], form) << "with the form";
+}
+
+TEST_F(AppStudy, notes_of_cells_are_no_errors) {
+  write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  write("t.toml", "[[model]]\nname = \"t\"\nshape = \"mesh\"\nmesh = \"t.obj\"\n");
+  write("s.toml",
+        "title = \"noted\"\nscene = \"t.toml\"\nshow = [\"depth\"]\n[set]\nimage = {width = 16, height = "
+        "16}\n[[axis]]\nkey = \"mesh.faces\"\nvalues = [1000, 2000]\n");
+  open_small();
+  open_by_dialog(file("s.toml"));
+  wait_for("the spec", [](const Json& now) { return now["studies"]["form"]["cells"] == 2; });
+  click("run study");
+  wait_for_study("s", "finished");
+  const Json after = settled();
+  EXPECT_EQ(after["errors"], Json::array());
+  const std::string log = after["log"].dump();
+  EXPECT_NE(log.find("1,000 faces asked"), std::string::npos) << log;
 }
 
 }  // namespace

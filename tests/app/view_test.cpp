@@ -32,6 +32,35 @@ TEST_F(AppView, number_key_fills_the_window_and_escape_goes_back) {
   wait_for("the sheet", [](const Json& now) { return now["ui"].contains("tile:final"); });
 }
 
+TEST_F(AppView, keys_leave_pictures_and_tabs_alone_that_are_behind_the_studies) {
+  open();
+  keys("p");
+  keys("ctrl+1");
+  keys("Home");
+  keys("F3");
+  const Json before = settled();
+  ASSERT_TRUE(before["studies"]["page_open"].get<bool>());
+  for (const char* key : {"1", "c", "space", "z", "w", "l", "o", "j", "p", "Right", "shift+1", "shift+Home"})
+    keys(key);
+  const Json after = settled();
+  for (const char* same : {"view", "layout", "pinned", "parameters", "log"})
+    EXPECT_EQ(after[same], before[same]) << same;
+  keys("Escape");
+  wait_for("the pictures", [](const Json& now) { return !now["studies"]["page_open"].get<bool>(); });
+  keys("1");
+  wait_for("the large picture", [](const Json& now) { return now["view"]["filled"] == "normal"; });
+}
+
+TEST_F(AppView, keys_leave_alone_what_is_behind_the_page_of_keys) {
+  open(false);
+  const Json before = settled();
+  for (const char* key : {"1", "c", "w", "l", "j", "r", "p", "Tab", "F3", "Home", "ctrl+1"}) keys(key);
+  const Json after = settled();
+  for (const char* same : {"view", "layout", "pinned", "parameters", "studies", "bookmarks"})
+    EXPECT_EQ(after[same], before[same]) << same;
+  EXPECT_FALSE(after["ui"].contains("close ramps"));
+}
+
 TEST_F(AppView, double_click_fills_and_goes_back) {
   open();
   const Place at = place("tile:depth");

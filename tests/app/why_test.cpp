@@ -59,6 +59,35 @@ TEST_F(AppWhy, arrow_keys_move_the_mark_and_escape_forgets_it) {
   wait_for("no mark", [](const Json& now) { return now["why"].is_null(); });
 }
 
+TEST_F(AppWhy, pinned_side_answers_with_the_pinned_states_numbers) {
+  open();
+  const double before = std::stod(parameter(state(), "combine.k_normal"));
+  keys("p");
+  drag(place("bar:combine.k_normal", 0.5), place("bar:combine.k_normal", 0.9));
+  const Json dragged = wait_for("a step", [](const Json& now) { return now["steps"].size() == 1; });
+  const double after = std::stod(parameter(dragged, "combine.k_normal"));
+  ASSERT_NE(after, before);
+  keys("c");
+  const auto ask = [&](double across) {
+    const Place at = place("tile:comparison", across);
+    input({"mousemove", std::to_string(at.x), std::to_string(at.y), "click", "1"});
+    return settled();
+  };
+  const Json pinned = ask(0.35);
+  EXPECT_TRUE(pinned["why"]["pinned"].get<bool>());
+  EXPECT_FLOAT_EQ(pinned["why"]["normal"]["k"].get<float>(), static_cast<float>(before));
+  const Json now = ask(0.65);
+  EXPECT_FALSE(now["why"]["pinned"].get<bool>());
+  EXPECT_FLOAT_EQ(now["why"]["normal"]["k"].get<float>(), static_cast<float>(after));
+  keys("space");  // shows the pinned one alone at first
+  const auto k_shown = [&] { return settled()["why"]["normal"]["k"].get<float>(); };
+  const float first = k_shown();
+  keys("space");
+  EXPECT_NE(k_shown(), first) << "the answer is of the picture that is seen";
+  keys("c");
+  EXPECT_FLOAT_EQ(k_shown(), static_cast<float>(after)) << "no pinned picture is seen";
+}
+
 TEST_F(AppWhy, dragging_and_double_clicking_mark_nothing) {
   open();
   drag(place("tile:final", 0.4, 0.4), place("tile:final", 0.6, 0.6));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The window itself: its first start, what it remembers, and that it sleeps when nothing happens.
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <thread>
 
@@ -52,6 +53,52 @@ TEST_F(AppWindow, draws_nothing_and_computes_nothing_while_nothing_happens) {
   const long frames = settled()["frames"];
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
   EXPECT_EQ(settled()["frames"], frames);
+}
+
+TEST_F(AppWindow, help_appears_while_the_mouse_rests_and_goes_when_it_leaves) {
+  open();
+  move_to(place("name:combine.threshold"));
+  wait_for("the help", [](const Json& now) { return now["tooltip"].get<bool>(); });
+  input({"mousemove", "5", "715"});
+  wait_for("no help", [](const Json& now) { return !now["tooltip"].get<bool>(); });
+}
+
+TEST_F(AppWindow, newest_line_of_the_log_is_shown_when_nothing_else_happens) {
+  write("study.toml",
+        "title = \"t\"\nscene = \"scene.toml\"\nshow = [\"depth\"]\n[[axis]]\nkey = "
+        "\"camera.eye.x\"\nfrom = -1\nto = 1\ncount = 20\n");
+  open();
+  open_by_dialog(file("study.toml"));
+  keys("F3");
+  for (const char* key : {"1", "2", "3", "4", "5", "6", "7", "8"}) keys(std::string("ctrl+") + key);
+  keys("F3");
+  click("run study");
+  keys("F3");  // what the studies' page reads would draw more frames
+  wait_for("the study's end", [](const Json& now) {
+    return now["log"].back().get<std::string>().find("finished") != std::string::npos;
+  });
+  const Json after = settled();
+  const std::string newest = "log:" + after["log"].back().get<std::string>();
+  ASSERT_TRUE(after["ui"].contains(newest)) << after["ui"];
+  EXPECT_GT(after["ui"][newest][3].get<double>() - after["ui"][newest][1].get<double>(), 8) << "wholly";
+}
+
+TEST_F(AppWindow, being_asked_to_end_by_the_system_keeps_layout_and_settings) {
+  for (const int signal : {SIGTERM, SIGHUP}) {
+    open();
+    const Place edge = place("divider:left");
+    drag(edge, {edge.x + (signal == SIGTERM ? 60 : -30), edge.y});
+    drag(place("bar:combine.threshold", 0.2), place("bar:combine.threshold", 0.3));
+    wait_for("a step", [](const Json& now) { return now["steps"].size() == 1; });
+    const Json before = settled();
+    send_signal(signal);
+    EXPECT_EQ(wait_for_end(), 0);
+    open_with({});
+    EXPECT_EQ(state()["layout"], before["layout"]);
+    EXPECT_EQ(state()["parameters"], before["parameters"]);
+    EXPECT_EQ(state()["unsaved"], 0);
+    quit();
+  }
 }
 
 TEST_F(AppWindow, tab_leaves_the_pictures_alone_and_brings_the_panels_back) {

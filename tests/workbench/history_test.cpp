@@ -115,6 +115,19 @@ TEST(History, beginning_an_edit_ends_the_one_before) {
   EXPECT_EQ(history.undo().combine.k_depth, 0.003F);
 }
 
+TEST(History, an_edit_that_is_cancelled_was_never_made) {
+  History history(paper_settings());
+  history.record(with_k(0.1F));
+  history.undo();
+  history.begin_edit();
+  history.update_edit(with_k(0.2F));
+  history.cancel_edit();
+  EXPECT_FALSE(history.is_editing());
+  EXPECT_EQ(history.current().combine.k_depth, 0.003F);
+  EXPECT_FALSE(history.can_undo());
+  EXPECT_EQ(history.redo().combine.k_depth, 0.1F) << "what could be redone still can";
+}
+
 TEST(History, records_inside_an_edit_belong_to_it) {
   History history(paper_settings());
   history.begin_edit();

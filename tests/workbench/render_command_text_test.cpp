@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 
+#include "app/workbench/own_program.h"
 #include "app/workbench/scene_base.h"
 #include "pipeline/base/text.h"
 #include "tests/workbench/workbench_support.h"
@@ -97,6 +99,37 @@ TEST(RenderCommand, without_a_scene_of_these_models_is_an_error_that_helps) {
   settings.models.clear();
   EXPECT_THAT(error_of([&] { render_command(settings, default_scene()); }),
               HasSubstr("save the settings as a preset"));
+}
+
+/// The shell's search path while it lives.
+class SearchPath {
+ public:
+  explicit SearchPath(const std::string& path) : before_(std::getenv("PATH")) {
+    setenv("PATH", path.c_str(), 1);
+  }
+  SearchPath(const SearchPath&) = delete;
+  SearchPath& operator=(const SearchPath&) = delete;
+  ~SearchPath() { setenv("PATH", before_.c_str(), 1); }
+
+ private:
+  std::string before_;
+};
+
+TEST(ProgramWord, is_the_name_alone_where_the_shell_would_find_this_very_program) {
+  const TemporaryFolder ours, other;
+  fs::create_symlink(own_program(), ours.path() / "inkbench");
+  fs::create_symlink("/bin/true", other.path() / "inkbench");
+  const std::string whole = shell_word(own_program().string());
+  const std::string first = ours.path().string(), second = other.path().string();
+  EXPECT_EQ((SearchPath("/nowhere:" + first + ":" + second), program_word()), "inkbench");
+  EXPECT_EQ((SearchPath(second + ":" + first), program_word()), whole) << "it would find another one";
+  EXPECT_EQ((SearchPath("/nowhere"), program_word()), whole);
+}
+
+TEST(AssignmentText, of_a_choice_has_no_quotes) {
+  const Settings settings = paper_settings();
+  const ConstParam choice = find_param(settings, "image.precision", "");
+  EXPECT_EQ(assignment_text(*choice.field, choice.key, choice.value()), "image.precision=float");
 }
 
 TEST(ShellWord, leaves_plain_words_and_quotes_the_rest) {

@@ -14,6 +14,7 @@ namespace inkbench {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -95,8 +96,17 @@ TEST_F(StudyQueueTest, errors_are_told_and_the_next_one_runs) {
   EXPECT_EQ(studies.jobs()[0].state, StudyState::failed);
   EXPECT_EQ(studies.jobs()[0].problem, "bad.toml:3: no");
   EXPECT_EQ(studies.jobs()[1].state, StudyState::finished);
-  EXPECT_THAT(studies.take_messages(), Contains("Bad: bad.toml:3: no"));
+  EXPECT_THAT(studies.take_messages(), Contains(StudyQueue::StudyMessage{true, "Bad: bad.toml:3: no"}));
   EXPECT_THAT(studies.take_messages(), IsEmpty());
+}
+
+TEST_F(StudyQueueTest, notes_are_no_errors_and_the_same_one_of_each_cell_is_told_once) {
+  StudyQueue studies = queue(R"(for i in 1 2 3; do echo 'inkbench: note: a face was dropped' >&2; done)");
+  studies.add("One", "one.toml", out("one"));
+  poll_until(studies, [&] { return !studies.is_busy(); });
+  EXPECT_THAT(studies.take_messages(),
+              ElementsAre(StudyQueue::StudyMessage{false, "One: a face was dropped"}));
+  EXPECT_EQ(studies.jobs()[0].problem, "");
 }
 
 TEST_F(StudyQueueTest, cells_that_failed_leave_a_study_that_finished) {

@@ -69,13 +69,6 @@ ChooserQuestion image_question(BufferName buffer, const fs::path& folder) {
           .name = std::string(name_of(buffer)) + ".png"};
 }
 
-/// With the ending, if the person gave none that is known.
-fs::path with_ending(fs::path path, std::string_view ending, std::initializer_list<std::string_view> known) {
-  const std::string given = path.extension().string();
-  if (std::find(known.begin(), known.end(), given) == known.end()) path += ending;
-  return path;
-}
-
 }  // namespace
 
 void FileDialogs::begin(FileDialog dialog) {
@@ -124,12 +117,10 @@ void FileDialogs::draw_image_choice() {
   }
 }
 
-void FileDialogs::finish(fs::path path) {
+void FileDialogs::finish(const fs::path& path) {
   if (dialog_ == FileDialog::open) return files_.open(path.string());
   attempt(problems_, [&] {
-    if (dialog_ == FileDialog::save_settings)
-      return write_settings(document_, problems_, with_ending(path, ".toml", {".toml"}));
-    path = with_ending(path, ".png", {".png", ".exr", ".svg"});
+    if (dialog_ == FileDialog::save_settings) return write_settings(document_, problems_, path);
     write_buffer(pictures_.pipeline().at(document_.settings()), buffer_, path);
     image_folder_ = path.parent_path();
     problems_.tell(Severity::note, fmt::format("saved {} as {}", name_of(buffer_), path.string()));

@@ -37,7 +37,7 @@ class FileDialogs {
   void begin(FileDialog dialog);
   void draw_image_choice();
   void set_image_ending(std::string_view ending);
-  void finish(std::filesystem::path path);
+  void finish(const std::filesystem::path& path);
 
   Document& document_;
   Pictures& pictures_;

@@ -8,6 +8,7 @@
 #include "app/panels/frame/shortcuts.h"
 #include "app/panels/pictures/views_panel.h"
 #include "app/panels/widgets/clipboard.h"
+#include "app/panels/widgets/held_drag.h"
 #include "app/panels/widgets/letter_key.h"
 
 namespace inkbench {
@@ -58,17 +59,27 @@ bool KeepShortcuts::view_keys(bool control, bool shift) {
   return true;
 }
 
-bool KeepShortcuts::handle() {
+/// Esc while something is dragged or typed that changes the document takes it back, and does nothing else.
+bool KeepShortcuts::cancels_edit(bool popup) {
+  const bool in_popup = popup && document_.is_editing() && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false);
+  if (!give_up_drag() && !in_popup) return false;
+  document_.cancel_edit();
+  return true;
+}
+
+bool KeepShortcuts::handle(bool pictures_shown, bool is_covered) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  const bool popup = popup_is_open();
+  if (cancels_edit(popup)) return true;
   if (popup && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false) && ImGui::GetTopMostPopupModal() == nullptr) {
     ImGui::ClosePopupToLevel(0, true);  // menus; dialogs close themselves
     return true;
   }
   if (popup || io.KeyAlt) return false;
   if (io.KeyCtrl && file_keys(io.KeyShift)) return true;
-  if (io.WantTextInput) return false;
-  return (io.KeyCtrl && editing_keys(io.KeyShift)) || view_keys(io.KeyCtrl, io.KeyShift);
+  if (io.WantTextInput || is_covered) return false;
+  if (io.KeyCtrl && editing_keys(io.KeyShift)) return true;
+  return pictures_shown && view_keys(io.KeyCtrl, io.KeyShift);
 }
 
 }  // namespace inkbench

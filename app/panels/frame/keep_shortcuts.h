@@ -25,10 +25,12 @@ class KeepShortcuts {
         problems_(problems),
         wanted_dialog_(wanted_dialog) {}
 
-  /// Once a frame, before the other keys. Returns whether a key was one of these.
-  bool handle();
+  /// Once a frame, before the other keys. `pictures_shown`: keys may act on them; `is_covered`: by the page
+  /// of keys, so that they act on nothing but dialogs. Returns whether a key was one of these.
+  bool handle(bool pictures_shown, bool is_covered);
 
  private:
+  bool cancels_edit(bool popup);
   bool ask(FileDialog dialog);
   bool file_keys(bool shift);
   bool editing_keys(bool shift);

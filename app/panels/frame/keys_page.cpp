@@ -35,7 +35,7 @@ constexpr std::array kPictures{
 };
 
 constexpr std::array kParameters{
-    Entry{"Drag", "set; with Shift finer"},
+    Entry{"Drag", "set; with Shift finer; Esc gives it up"},
     Entry{"Ctrl+click", "type a number"},
     Entry{"Right click", "reset to the scene's value"},
     Entry{"R", "edit the ramps; Delete removes a stop"},

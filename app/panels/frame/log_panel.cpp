@@ -48,6 +48,7 @@ void draw_message(MessageLog& log, UiMap& ui_map, const Message& message, int in
   ImGui::PushTextWrapPos(0.0F);
   const std::string repeats = message.repeats > 1 ? "  ×" + std::to_string(message.repeats) : "";
   ImGui::TextUnformatted((message.text + repeats).c_str());
+  ui_map.mark_item("log:" + message.text);
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
   if (ImGui::BeginPopupContextItem("message")) {

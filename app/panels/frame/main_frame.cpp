@@ -14,6 +14,7 @@
 #include "app/panels/frame/timings.h"
 #include "app/panels/frame/toolbar.h"
 #include "app/panels/widgets/attempt.h"
+#include "app/panels/widgets/held_drag.h"
 #include "app/panels/widgets/hover.h"
 #include "app/panels/widgets/widgets.h"
 #include "app/window/theme.h"
@@ -51,9 +52,15 @@ void panel(const char* name, const Area& area, ImU32 colour, const Draw& draw, I
   ImGui::End();
 }
 
-/// A strip that can be dragged; returns by how much.
-float divider(UiMap& ui_map, const char* name, const Area& area, bool upright) {
-  float moved = 0;
+/// Shares of the window; limited so that a panel can neither vanish nor cover the others.
+void move_share(float& share, float by, float whole, float largest) {
+  if (by != 0) share = std::clamp(share + by / std::max(whole, 1.0F), 0.08F, largest);
+}
+
+/// A strip that is dragged to change the share of the window that one of its sides has. `grows`: 1 where that
+/// side is the left or upper one, else -1.
+void divider(UiMap& ui_map, const char* name, const Area& area, bool upright, float& share, float grows,
+             float largest) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   panel(name, area, theme().line, [&] {
     ImGui::InvisibleButton("grip", {area.high.x - area.low.x, area.high.y - area.low.y});
@@ -61,15 +68,13 @@ float divider(UiMap& ui_map, const char* name, const Area& area, bool upright) {
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (hot) ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     if (hot) ImGui::GetWindowDrawList()->AddRectFilled(area.low, area.high, theme().accent);
-    if (ImGui::IsItemActive()) moved = upright ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+    if (const auto before = given_back(share)) share = *before;
+    if (!ImGui::IsItemActive()) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    move_share(share, grows * (upright ? io.MouseDelta.x : io.MouseDelta.y),
+               upright ? io.DisplaySize.x : io.DisplaySize.y, largest);
   });
   ImGui::PopStyleVar();
-  return moved;
-}
-
-/// Shares of the window; limited so that a panel can neither vanish nor cover the others.
-void move_share(float& share, float by, float whole, float largest) {
-  if (by != 0) share = std::clamp(share + by / std::max(whole, 1.0F), 0.08F, largest);
 }
 
 void draw_help_menu(WindowLayout& layout, Problems& problems, UiMap& ui_map) {
@@ -86,8 +91,7 @@ void draw_help_menu(WindowLayout& layout, Problems& problems, UiMap& ui_map) {
 
 MainFrame::MainFrame(Workbench& bench)
     : bench_(bench),
-      parameters_(bench.document, bench.layout, bench.view, bench.studies, bench.problems, bench.requests,
-                  bench.ui_map),
+      parameters_(bench.document, bench.layout, bench.view, bench.studies, bench.problems, bench.ui_map),
       presets_(bench.document, bench.files, bench.keeping, bench.problems, bench.ui_map),
       history_(bench.document, bench.ui_map),
       views_(bench.document, bench.viewer.pictures, bench.keeping, bench.problems, bench.ui_map),
@@ -98,13 +102,13 @@ MainFrame::MainFrame(Workbench& bench)
       sheet_(bench.document, bench.viewer, bench.layout, bench.view, bench.problems, bench.wanted_dialog,
              bench.ui_map),
       studies_(bench.document, bench.viewer, bench.studies, bench.problems, bench.requests, bench.ui_map),
-      ramp_editor_(bench.document, bench.viewer.disk, bench.problems, bench.requests, bench.ui_map),
+      ramp_editor_(bench.document, bench.viewer.disk, bench.layout, bench.problems, bench.ui_map),
       log_(bench.log, bench.ui_map),
       file_menu_(bench.document, bench.files, bench.keeping, bench.problems, bench.requests,
                  bench.wanted_dialog, bench.ui_map),
       view_menu_(bench.document, bench.viewer, bench.layout, bench.view, bench.problems, bench.requests,
                  bench.ui_map),
-      studies_menu_(bench.document, bench.studies, bench.problems, bench.requests, bench.ui_map),
+      studies_menu_(bench.document, bench.studies, bench.problems, bench.ui_map),
       dialogs_(bench.document, bench.viewer.pictures, bench.view, bench.files, bench.keeping, bench.problems,
                bench.wanted_dialog, bench.ui_map),
       keep_shortcuts_(bench.document, bench.viewer.pictures, bench.view, bench.files, bench.keeping,
@@ -158,13 +162,21 @@ MainFrame::Places MainFrame::arrange() const {
   return places;
 }
 
+ShownParts MainFrame::shown_parts() const {
+  const bool is_covered = bench_.layout.show_welcome;
+  const bool page = bench_.studies.page_open;
+  const float width = ImGui::GetIO().DisplaySize.x;
+  return {.pictures = !page && !is_covered,
+          .left = width >= scaled(kLeftFits),
+          .right = !page && width >= scaled(kRightFits)};
+}
+
 void MainFrame::draw_dividers(const Places& places) {
   WindowLayout& layout = bench_.layout;
   UiMap& ui_map = bench_.ui_map;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  move_share(layout.left, divider(ui_map, "divider:left", places.left_divider, true), screen.x, 0.42F);
-  move_share(layout.right, -divider(ui_map, "divider:right", places.right_divider, true), screen.x, 0.42F);
-  move_share(layout.bottom, -divider(ui_map, "divider:bottom", places.bottom_divider, false), screen.y, 0.6F);
+  divider(ui_map, "divider:left", places.left_divider, true, layout.left, 1, 0.42F);
+  divider(ui_map, "divider:right", places.right_divider, true, layout.right, -1, 0.42F);
+  divider(ui_map, "divider:bottom", places.bottom_divider, false, layout.bottom, -1, 0.6F);
 }
 
 void MainFrame::draw_bottom(const Places& places) {
@@ -210,7 +222,7 @@ void MainFrame::draw_pictures() {
 }
 
 void MainFrame::draw() {
-  const ShortcutRequests keys = shortcuts_.handle();
+  const ShortcutRequests keys = shortcuts_.handle(shown_parts());
   if (keys.search) left_.focus_search();
   draw_menu_bar();
   const Places places = arrange();

@@ -36,6 +36,7 @@ class MainFrame {
  private:
   struct Places;
   Places arrange() const;
+  ShownParts shown_parts() const;
   void draw_menu_bar();
   void draw_pictures();
   void draw_dividers(const Places& places);

@@ -39,12 +39,12 @@ void toggle_panels(WindowLayout& layout) {
 }
 
 /// The arrow keys, again and again while they are held; ten pixels with Shift.
-void move_mark_by_keys(const Document& document, ViewState& view) {
+void move_mark_by_keys(const Document& document, const Pictures& pictures, ViewState& view) {
   const int step = ImGui::GetIO().KeyShift ? 10 : 1;
   const auto held = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
   const int dx = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
   const int dy = held(GLFW_KEY_DOWN) - held(GLFW_KEY_UP);
-  if (dx != 0 || dy != 0) move_mark(document, view, dx * step, dy * step);
+  if (dx != 0 || dy != 0) move_mark(document, pictures, view, dx * step, dy * step);
 }
 
 }  // namespace
@@ -53,9 +53,9 @@ void change_text_size(WindowLayout& layout, float change) {
   layout.ui_scale = std::clamp(std::round((text_scale() + change) * 10.0F) / 10.0F, 0.5F, 4.0F);
 }
 
-ShortcutRequests Shortcuts::with_control() {
+ShortcutRequests Shortcuts::with_control(const ShownParts& shown) {
   ShortcutRequests requests;
-  requests.search = letter_pressed('f');
+  requests.search = letter_pressed('f') && shown.left && !layout_.show_welcome && !popup_is_open();
   if (letter_pressed('q')) requests_.close = true;
   if (pressed(GLFW_KEY_EQUAL) || pressed(GLFW_KEY_KP_ADD)) change_text_size(layout_, 0.1F);
   if (pressed(GLFW_KEY_MINUS) || pressed(GLFW_KEY_KP_SUBTRACT)) change_text_size(layout_, -0.1F);
@@ -79,43 +79,51 @@ void Shortcuts::step_back() {
   }
 }
 
-void Shortcuts::plain_letters() {
-  if (letter_pressed('f')) view_.fit();
-  if (letter_pressed('z')) view_.wanted_magnification = 1.0;
-  if (letter_pressed('c')) toggle_comparison(viewer_.pictures, view_);
-  if (letter_pressed('p')) pin_state(viewer_, view_);
-  if (letter_pressed('l')) next_overlay(layout_);
-  if (letter_pressed('j')) {
-    const bool on = layout_.show_inspector && layout_.side_page == SidePage::judge;
-    layout_.side_page = on ? SidePage::inspector : SidePage::judge;
-    layout_.show_inspector = true;
-  }
-  if (letter_pressed('r')) view_.edits_ramps = !view_.edits_ramps;
-  if (letter_pressed('v')) view_.tool = MouseTool::view;
-  if (letter_pressed('o')) view_.tool = MouseTool::camera;
-}
-
-ShortcutRequests Shortcuts::handle() {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (pressed(GLFW_KEY_PAUSE)) ++ui_map_.pauses;
-  if (keep_.handle()) return {};
-  if (pressed(GLFW_KEY_F1)) layout_.show_welcome = !layout_.show_welcome;
-  if (pressed(GLFW_KEY_F3)) studies_.page_open = !studies_.page_open;
-  if (pressed(GLFW_KEY_F11)) requests_.toggle_full_screen = true;
-  if (pressed(GLFW_KEY_F12)) requests_.screenshot = true;
-  if (io.KeyCtrl && !io.KeyAlt) return with_control();
-  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (io.WantTextInput || popup || io.KeyAlt) return {};
-  if (pressed(GLFW_KEY_ESCAPE)) step_back();
-  if (pressed(GLFW_KEY_TAB)) toggle_panels(layout_);
+void Shortcuts::keys_of_pictures() {
   Comparison& comparison = view_.comparison;
   if (pressed(GLFW_KEY_SPACE) && comparison.active) {
     if (comparison.flips) comparison.shows_b = !comparison.shows_b;
     comparison.flips = true;
   }
   fill_by_number(view_);
-  move_mark_by_keys(document_, view_);
-  plain_letters();
+  move_mark_by_keys(document_, viewer_.pictures, view_);
+  if (letter_pressed('f')) view_.fit();
+  if (letter_pressed('z')) view_.wanted_magnification = 1.0;
+  if (letter_pressed('c')) toggle_comparison(viewer_.pictures, view_);
+  if (letter_pressed('p')) pin_state(viewer_, view_);
+  if (letter_pressed('l')) next_overlay(layout_);
+  if (letter_pressed('v')) view_.tool = MouseTool::view;
+  if (letter_pressed('o')) view_.tool = MouseTool::camera;
+}
+
+void Shortcuts::keys_of_panels(const ShownParts& shown) {
+  if (pressed(GLFW_KEY_TAB)) toggle_panels(layout_);
+  if (letter_pressed('r')) view_.edits_ramps = !view_.edits_ramps;
+  if (!letter_pressed('j') || !shown.right) return;
+  const bool on = layout_.show_inspector && layout_.side_page == SidePage::judge;
+  layout_.side_page = on ? SidePage::inspector : SidePage::judge;
+  layout_.show_inspector = true;
+}
+
+void Shortcuts::function_keys() {
+  if (pressed(GLFW_KEY_F11)) requests_.toggle_full_screen = true;
+  if (pressed(GLFW_KEY_F12)) requests_.screenshot = true;
+  if (popup_is_open()) return;
+  if (pressed(GLFW_KEY_F1)) layout_.show_welcome = !layout_.show_welcome;
+  if (pressed(GLFW_KEY_F3) && !layout_.show_welcome) studies_.page_open = !studies_.page_open;
+}
+
+ShortcutRequests Shortcuts::handle(const ShownParts& shown) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (pressed(GLFW_KEY_PAUSE)) ++ui_map_.pauses;
+  if (keep_.handle(shown.pictures, layout_.show_welcome)) return {};
+  function_keys();
+  if (io.KeyCtrl && !io.KeyAlt) return with_control(shown);
+  const bool has_escape = !io.WantTextInput && !popup_is_open() && !io.KeyAlt;
+  if (has_escape && pressed(GLFW_KEY_ESCAPE)) step_back();
+  if (!keys_are_free(layout_)) return {};
+  if (shown.pictures) keys_of_pictures();
+  keys_of_panels(shown);
   return {};
 }
 

@@ -14,6 +14,13 @@
 
 namespace inkbench {
 
+/// What is there to see: keys act on nothing else.
+struct ShownParts {
+  bool pictures = true;  ///< Not behind the studies or the page of keys.
+  bool left = true;      ///< The window has room for the left panel, whether it is shown or not,
+  bool right = true;     ///< and for the right one.
+};
+
 /// What a key asks of panels.
 struct ShortcutRequests {
   bool search = false;
@@ -35,12 +42,14 @@ class Shortcuts {
         ui_map_(ui_map) {}
 
   /// Once a frame; keys that a text field wants are its own.
-  ShortcutRequests handle();
+  ShortcutRequests handle(const ShownParts& shown);
 
  private:
-  ShortcutRequests with_control();
+  ShortcutRequests with_control(const ShownParts& shown);
+  void function_keys();
   void step_back();
-  void plain_letters();
+  void keys_of_pictures();
+  void keys_of_panels(const ShownParts& shown);
 
   KeepShortcuts& keep_;
   const Document& document_;

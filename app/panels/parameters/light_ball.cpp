@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "app/panels/widgets/held_drag.h"
 #include "app/panels/widgets/widgets.h"
 #include "app/window/theme.h"
 #include "app/workbench/camera_control.h"
@@ -59,10 +60,11 @@ void draw_ball(ImDrawList& list, ImVec2 centre, float radius, const glm::vec3& l
 void drag(Document& document, const RowContext& row, ImVec2 low, float size) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActivated()) document.begin_edit();
+  const ImVec2 place = ImGui::IsItemActive() ? drag_place() : ImVec2();
   const bool moved = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
   if (ImGui::IsItemActive() && moved) {
-    const glm::vec2 now(io.MousePos.x - low.x, io.MousePos.y - low.y);
-    const glm::vec2 before = now - glm::vec2(io.MouseDelta.x, io.MouseDelta.y);
+    const glm::vec2 now(place.x - low.x, place.y - low.y);
+    const glm::vec2 before = now - glm::vec2(drag_step().x, drag_step().y);
     document.change(row.key, drag_light(std::get<glm::vec3>(row.value), document.settings().camera, before,
                                         now, {size, size}));
   }

@@ -9,9 +9,12 @@
 #include "app/panels/parameters/light_ball.h"
 #include "app/panels/parameters/parameter_help.h"
 #include "app/panels/parameters/sweep_menu.h"
+#include "app/panels/widgets/colour_picker.h"
 #include "app/panels/widgets/value_bar.h"
 #include "app/panels/widgets/widgets.h"
 #include "app/window/theme.h"
+#include "app/workbench/render_command_text.h"
+#include "pipeline/base/text.h"
 #include "pipeline/settings/ramp.h"
 
 namespace inkbench {
@@ -58,23 +61,13 @@ void vector_editor(Document& document, Studies& studies, Problems& problems, UiM
 }
 
 void colour_editor(Document& document, UiMap& ui_map, const RowContext& row, float width) {
-  auto colour = std::get<glm::vec3>(row.value);
-  constexpr ImGuiColorEditFlags kPlain = ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip;
-  if (ImGui::ColorButton("swatch", {colour.x, colour.y, colour.z, 1}, kPlain,
-                         {width, ImGui::GetFrameHeight()}))
-    ImGui::OpenPopup("picker");
+  const auto& colour = std::get<glm::vec3>(row.value);
+  const bool opens = colour_swatch(colour, width);
   ui_map.mark_item("colour:" + row.key);
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) document.reset(row.key);
   help_for_parameter(row);
-  if (!ImGui::BeginPopup("picker")) return;
-  ImGui::SetNextItemWidth(scaled(220));
-  const bool changed = ImGui::ColorPicker3(
-      "##picker", &colour.x,
-      ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueBar);
-  if (ImGui::IsItemActivated()) document.begin_edit();
-  if (changed) document.change(row.key, colour);
-  if (ImGui::IsItemDeactivated()) document.end_edit();
-  ImGui::EndPopup();
+  colour_picker(document, ui_map, "picker:" + row.key, colour, opens,
+                [&](const glm::vec3& next) { document.change(row.key, next); });
 }
 
 void choice_editor(Document& document, UiMap& ui_map, const RowContext& row, float width) {
@@ -182,7 +175,7 @@ void name_menu(Document& document, Studies& studies, Problems& problems, UiMap& 
   if (ImGui::MenuItem(back.c_str(), nullptr, false, row.value != row.baseline)) document.reset(row.key);
   if (ImGui::MenuItem("Copy name")) ImGui::SetClipboardText(row.key.c_str());
   if (ImGui::MenuItem("Copy as --set"))
-    ImGui::SetClipboardText(("--set '" + row.key + "=" + to_text(row.value) + "'").c_str());
+    ImGui::SetClipboardText(("--set " + shell_word(assignment_text(*row.field, row.key, row.value))).c_str());
   sweep_menu_items(document, studies, problems, ui_map, row.key);
   ImGui::EndPopup();
 }

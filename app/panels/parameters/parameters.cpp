@@ -9,6 +9,7 @@
 #include "app/panels/parameters/parameter_row.h"
 #include "app/panels/widgets/widgets.h"
 #include "app/window/theme.h"
+#include "app/window/typing_wish.h"
 #include "app/window/word_list.h"
 #include "pipeline/base/text.h"
 
@@ -75,10 +76,7 @@ bool ParametersPanel::is_found(const std::string& key, const Field& field) const
 void ParametersPanel::draw_search() {
   const float button = button_width("Changed");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
-  if (focus_search_) {
-    ImGui::SetKeyboardFocusHere();
-    requests_.keyboard = true;
-  }
+  if (focus_search_) take_keyboard();
   focus_search_ = false;
   ImGui::InputTextWithHint("##search", "Search (Ctrl+F)", &search_, ImGuiInputTextFlags_AutoSelectAll);
   ui_map_.mark_item("search");

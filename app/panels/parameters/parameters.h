@@ -5,7 +5,6 @@
 #include "app/window/studies.h"
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
-#include "app/window/window_requests.h"
 #include "app/workbench/document.h"
 #include "app/workbench/problems.h"
 #include "app/workbench/window_layout.h"
@@ -16,13 +15,12 @@ class ParametersPanel {
  public:
   /// All must outlive it.
   ParametersPanel(Document& document, WindowLayout& layout, ViewState& view, Studies& studies,
-                  Problems& problems, WindowRequests& requests, UiMap& ui_map)
+                  Problems& problems, UiMap& ui_map)
       : document_(document),
         layout_(layout),
         view_(view),
         studies_(studies),
         problems_(problems),
-        requests_(requests),
         ui_map_(ui_map) {}
 
   /// Draws into the current ImGui window.
@@ -42,7 +40,6 @@ class ParametersPanel {
   ViewState& view_;
   Studies& studies_;
   Problems& problems_;
-  WindowRequests& requests_;
   UiMap& ui_map_;
   std::string search_;
   bool only_changed_ = false;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "app/panels/widgets/colour_picker.h"
+#include "app/panels/widgets/letter_key.h"
 #include "app/panels/widgets/value_bar.h"
 #include "app/panels/widgets/widgets.h"
 #include "app/window/gui.h"
@@ -69,12 +71,12 @@ void next_to(float place) {
 
 void RampEditor::file_buttons(const std::string& key, const Ramp& ramp) {
   if (ImGui::Button("Load"))
-    question_.ask("Load a ramp", "Stops (.toml) or an image, whose first row is the ramp.", "Load",
+    question_.ask({"Load a ramp", "Stops (.toml) or an image, whose first row is the ramp.", "Load"},
                   [this, key](const std::string& path) { document_.change(key, load_ramp(path)); });
   ui_map_.mark_item("load:" + key);
   ImGui::SameLine();
   if (ImGui::Button("Save"))
-    question_.ask("Save the ramp", "As stops (.toml) or as an image (.png, .exr).", "Save",
+    question_.ask({"Save the ramp", "As stops (.toml) or as an image (.png, .exr).", "Save", true},
                   [this, ramp](const std::string& path) {
                     save_ramp(path, ramp);
                     problems_.tell(Severity::note, "saved " + path);
@@ -125,37 +127,15 @@ void RampEditor::title_row(const std::string& key, const Field& field, const Ram
   file_buttons(key, ramp);
 }
 
-namespace {
-
-/// The colour and its picker; one drag in it is one step.
-void stop_colour(Document& document, UiMap& ui_map, const std::string& key, const Ramp& ramp, size_t index,
-                 bool opens, bool& picking) {
-  glm::vec3 colour = ramp.stops[index].colour;
-  constexpr ImGuiColorEditFlags kPlain = ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip;
-  const bool pressed = ImGui::ColorButton("colour", {colour.x, colour.y, colour.z, 1}, kPlain,
-                                          {scaled(56), ImGui::GetFrameHeight()});
-  ui_map.mark_item("stop colour:" + key);
+void RampEditor::stop_colour(const std::string& key, const Ramp& ramp, bool opens) {
+  const size_t index = std::min(editors_[key].strip.selected, ramp.stops.size() - 1);
+  const glm::vec3 colour = ramp.stops[index].colour;
+  const bool pressed = colour_swatch(colour, scaled(56));
+  ui_map_.mark_item("stop colour:" + key);
   help_for_item("The stop's colour.");
-  if (pressed || opens) ImGui::OpenPopup("picker");
-  if (!ImGui::BeginPopup("picker")) {
-    if (std::exchange(picking, false)) document.end_edit();  // closed in the middle of a drag
-    return;
-  }
-  ImGui::SetNextItemWidth(scaled(220));
-  const bool changed = ImGui::ColorPicker3(
-      "##picker", &colour.x,
-      ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueBar);
-  ui_map.mark_item("stop picker:" + key);
-  if (ImGui::IsItemActivated()) {
-    picking = true;
-    document.begin_edit();
-  }
-  if (changed) document.change(key, set_stop_colour(ramp, index, colour));
-  if (ImGui::IsItemDeactivated() && std::exchange(picking, false)) document.end_edit();
-  ImGui::EndPopup();
+  colour_picker(document_, ui_map_, "stop picker:" + key, colour, pressed || opens,
+                [&](const glm::vec3& next) { document_.change(key, set_stop_colour(ramp, index, next)); });
 }
-
-}  // namespace
 
 void RampEditor::stop_row(const std::string& key, const Ramp& ramp) {
   Editor& editor = editors_[key];
@@ -180,8 +160,7 @@ void RampEditor::stop_row(const std::string& key, const Ramp& ramp) {
     document_.change(key, set_stop_stepped(ramp, index, *stepped));
   if (ramp.stops.size() < 2) return;
   ImGui::SameLine();
-  const bool no_field = !ImGui::GetIO().WantTextInput;
-  const bool deletes = last_ == key && no_field && ImGui::IsKeyPressed(GLFW_KEY_DELETE, false);
+  const bool deletes = last_ == key && keys_are_free(layout_) && ImGui::IsKeyPressed(GLFW_KEY_DELETE, false);
   if (ImGui::Button("Remove") || deletes) {
     document_.change(key, remove_stop(ramp, index));
     editor.strip.selected = index > 0 ? index - 1 : 0;
@@ -219,8 +198,7 @@ void RampEditor::draw_ramp(const std::string& key, const Field& field, const Ram
                 colours.problem.empty() ? theme().faint : theme().error);
   } else if (!ramp.stops.empty()) {
     const Ramp& now = strip.changed ? *strip.changed : ramp;
-    stop_colour(document_, ui_map_, key, now, std::min(editor.strip.selected, now.stops.size() - 1),
-                strip.double_clicked, editor.picking);
+    stop_colour(key, now, strip.double_clicked);
     ImGui::SameLine();
     stop_row(key, now);
   }

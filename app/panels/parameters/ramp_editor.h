@@ -11,22 +11,23 @@
 #include "app/panels/widgets/file_question.h"
 #include "app/window/disk_watch.h"
 #include "app/window/ui_map.h"
-#include "app/window/window_requests.h"
 #include "app/workbench/document.h"
 #include "app/workbench/problems.h"
+#include "app/workbench/window_layout.h"
 
 namespace inkbench {
 
 class RampEditor {
  public:
   /// All must outlive it.
-  RampEditor(Document& document, const DiskWatch& disk, Problems& problems, WindowRequests& requests,
+  RampEditor(Document& document, const DiskWatch& disk, const WindowLayout& layout, Problems& problems,
              UiMap& ui_map)
       : document_(document),
         disk_(disk),
+        layout_(layout),
         problems_(problems),
         ui_map_(ui_map),
-        question_(problems, requests, ui_map) {}
+        question_(problems, ui_map) {}
 
   /// Draws into the current ImGui window.
   void draw();
@@ -43,16 +44,17 @@ class RampEditor {
     StripState strip;
     Colours colours;
     std::optional<Ramp> before_bands;  ///< While the number of bands is dragged.
-    bool picking = false;              ///< A drag in the colour picker.
   };
 
   void draw_ramp(const std::string& key, const Field& field, const Ramp& ramp, float width);
   void title_row(const std::string& key, const Field& field, const Ramp& ramp, float width);
   void file_buttons(const std::string& key, const Ramp& ramp);
+  void stop_colour(const std::string& key, const Ramp& ramp, bool opens);
   void stop_row(const std::string& key, const Ramp& ramp);
 
   Document& document_;
   const DiskWatch& disk_;
+  const WindowLayout& layout_;
   Problems& problems_;
   UiMap& ui_map_;
   std::map<std::string, Editor> editors_;

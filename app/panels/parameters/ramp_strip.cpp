@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/widgets/held_drag.h"
 #include "app/window/theme.h"
 #include "app/workbench/ramp_edit.h"
 
@@ -77,8 +78,7 @@ StripResult press(const Ramp& ramp, const Places& places, StripState& state) {
   return result;
 }
 
-std::optional<Ramp> drag(const Places& places, StripState& state) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
+std::optional<Ramp> drag(const Places& places, StripState& state, ImVec2 mouse) {
   state.moved |= ImGui::IsMouseDragging(ImGuiMouseButton_Left, kMoveStarts);
   if (!state.moved) return std::nullopt;
   const Ramp& before = *state.before;
@@ -129,8 +129,10 @@ StripResult ramp_strip_editor(const std::string& name, const Ramp& ramp, std::sp
   map.mark(name, {places.low.x, places.low.y, places.high.x, places.high.y});
   StripResult result;
   const bool has_stops = ramp.image.empty() && !ramp.stops.empty();
+  if (const auto before = given_back(state)) state = *before;
   if (has_stops && ImGui::IsItemActivated()) result = press(ramp, places, state);
-  if (ImGui::IsItemActive() && state.before && !result.pressed) result.changed = drag(places, state);
+  const ImVec2 mouse = ImGui::IsItemActive() ? drag_place() : ImVec2();
+  if (ImGui::IsItemActive() && state.before && !result.pressed) result.changed = drag(places, state, mouse);
   if (ImGui::IsItemDeactivated() && state.before) {
     state.before.reset();
     result.released = true;

@@ -29,8 +29,9 @@ struct StripResult {
   std::optional<Ramp> changed;
 };
 
-/// Drag a stop to move it, far away from the strip to remove it; press where none is to add one with the
-/// colour there. `colours`: the ramp from 0 to 1. A ramp without stops is only shown. `name` is for the map.
+/// Drag a stop to move it (with Shift finer; Esc gives it up), far away from the strip to remove it; press
+/// where none is to add one with the colour there. `colours`: the ramp from 0 to 1. A ramp without stops is
+/// only shown. `name` is for the map.
 StripResult ramp_strip_editor(const std::string& name, const Ramp& ramp, std::span<const glm::vec3> colours,
                               float width, StripState& state, UiMap& map);
 

@@ -66,8 +66,7 @@ void sweep_menu_items(const Document& document, Studies& studies, Problems& prob
 void sweep_key(const Document& document, Studies& studies, Problems& problems, const std::string& key) {
   if (!ImGui::IsItemHovered() || !letter_pressed('s')) return;
   const ImGuiIO& io = ImGui::GetIO();
-  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || popup) return;
+  if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || popup_is_open()) return;
   const std::vector<std::string> keys = sweepable(document.settings(), key);
   if (keys.empty()) return;
   attempt(problems, [&] {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/panels/pictures/picture_tile.h"
+#include "app/panels/widgets/held_drag.h"
 #include "app/window/listed_buffers.h"
 #include "app/window/theme.h"
 
@@ -39,6 +40,7 @@ bool handle_divider(ViewState& view, UiMap& ui_map, const TileRect& rect) {
   ui_map.mark_item("split");
   const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
   if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (const auto before = given_back(view.comparison.split)) view.comparison.split = *before;
   if (ImGui::IsItemActive()) {
     const double share = (ImGui::GetIO().MousePos.x - rect.low.x) / std::max(rect.width(), 1.0F);
     view.comparison.split = std::clamp(share, 0.0, 1.0);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "app/panels/widgets/held_drag.h"
 #include "app/panels/widgets/widgets.h"
 #include "app/window/theme.h"
 #include "pipeline/base/error.h"
@@ -70,7 +71,9 @@ void HistogramView::refresh(const Frame& drawn, BufferName buffer) {
 }
 
 void HistogramView::drag_marks(BufferName buffer, const ShownRange& range, ImVec2 low, ImVec2 high) {
-  const float mouse = ImGui::GetIO().MousePos.x;
+  if (const auto before = given_back(viewer_.pictures.choice(buffer)))
+    viewer_.pictures.choice(buffer) = *before;
+  const float mouse = ImGui::IsItemActive() ? drag_place().x : ImGui::GetIO().MousePos.x;
   const auto x_of = [&](float value) {
     return low.x + (value - axis_.low) / (axis_.high - axis_.low) * (high.x - low.x);
   };

@@ -53,11 +53,22 @@ void draw_buffer(const Document& document, Pictures& pictures, UiMap& ui_map, Bu
   if (has_range(buffer)) draw_choice(document, pictures, ui_map, buffer);
 }
 
+void pinned_value(const Pictures& pictures, BufferName buffer, const HoveredPixel& pixel) {
+  const std::optional<KeptMaps>& maps = pictures.pinned_maps();
+  if (!maps) return;
+  const Image& image = maps->raw[buffer];
+  if (pixel.x >= image.width_px || pixel.y >= image.height_px) return;
+  Image one(1, 1, image.channels);
+  for (int c = 0; c < image.channels; ++c) one.at(0, 0, c) = image.at(pixel.x, pixel.y, c);
+  ImGui::TextUnformatted(values_text(one).c_str());
+}
+
 void value_row(Viewer& viewer, BufferName buffer, const HoveredPixel& pixel) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   coloured_text(buffer == pixel.picture.buffer ? theme().text : theme().faint, name_of(buffer));
   ImGui::TableNextColumn();
+  if (pixel.picture.pinned) return pinned_value(viewer.pictures, buffer, pixel);
   // Those that are drawn, not those that this frame's mouse made: reading must not run a pass.
   const std::optional<Frame>& frame = viewer.drawn();
   if (!frame || pixel.x >= frame->settings().image.width || pixel.y >= frame->settings().image.height) return;
@@ -93,16 +104,17 @@ void divide() {
 }  // namespace
 
 void InspectorPanel::draw_pixel() {
-  if (view_.hovered && !view_.hovered->picture.pinned) pixel_ = view_.hovered;
+  if (view_.hovered) pixel_ = view_.hovered;
+  if (pixel_ && !viewer_.pictures.pinned_maps()) pixel_->picture.pinned = false;
   std::optional<HoveredPixel> pixel = pixel_;
   if (!view_.hovered && view_.marked)
-    pixel = HoveredPixel{{view_.selected, false}, view_.marked->x, view_.marked->y};
+    pixel = HoveredPixel{{view_.selected, asks_pinned(view_)}, view_.marked->x, view_.marked->y};
   if (!pixel) {
     wrapped_text("Move the mouse over a picture to read the value of every buffer there.", theme().faint);
     return;
   }
   ImGui::PushFont(fonts().bold);
-  ImGui::Text("Pixel %d, %d", pixel->x, pixel->y);
+  ImGui::Text("Pixel %d, %d%s", pixel->x, pixel->y, pixel->picture.pinned ? ", pinned" : "");
   ImGui::PopFont();
   draw_values(viewer_, layout_, *pixel);
 }

@@ -29,7 +29,7 @@ void draw_cross(ImDrawList& list, ImVec2 low, ImVec2 high, ImU32 colour, float w
 
 }  // namespace
 
-void mark_with_mouse(ViewState& view, const TileFrame& frame) {
+void mark_with_mouse(ViewState& view, const TileFrame& frame, bool pinned) {
   const ImGuiIO& io = ImGui::GetIO();
   const float limit = scaled(kClickMoves);
   const bool clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
@@ -40,16 +40,18 @@ void mark_with_mouse(ViewState& view, const TileFrame& frame) {
     return;
   }
   const PicturePoint point = point_under(view, frame, io.MousePos.x, io.MousePos.y);
-  const MarkedPixel pixel{static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y))};
+  const MarkedPixel pixel{static_cast<int>(std::floor(point.x)), static_cast<int>(std::floor(point.y)),
+                          pinned};
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= frame.picture_width || pixel.y >= frame.picture_height) return;
   view.marked_before = view.marked;
   view.marked = pixel;
 }
 
-void move_mark(const Document& document, ViewState& view, int dx, int dy) {
+void move_mark(const Document& document, const Pictures& pictures, ViewState& view, int dx, int dy) {
   if (!view.marked) return;
   MarkedPixel& pixel = *view.marked;
-  const ImageParams& image = document.settings().image;
+  const bool pinned = asks_pinned(view) && pictures.pinned_settings();
+  const ImageParams& image = pinned ? pictures.pinned_settings()->image : document.settings().image;
   pixel.x = std::clamp(pixel.x + dx, 0, image.width - 1);
   pixel.y = std::clamp(pixel.y + dy, 0, image.height - 1);
 }

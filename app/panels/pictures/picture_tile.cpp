@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "app/panels/pictures/camera_mouse.h"
 #include "app/panels/pictures/mark.h"
+#include "app/panels/widgets/held_drag.h"
 #include "app/window/theme.h"
 
 namespace inkbench {
@@ -29,6 +32,8 @@ void remember_hover(ViewState& view, const ComparedPicture& which, const TileFra
 void move_view(ViewState& view, const TileFrame& frame, bool dragging) {
   const ImGuiIO& io = ImGui::GetIO();
   const double wheel = static_cast<double>(io.MouseWheel);
+  if (const auto before = given_back(std::pair(view.centre_x, view.centre_y)))
+    std::tie(view.centre_x, view.centre_y) = *before;
   if (ImGui::IsItemHovered() && wheel != 0.0)
     zoom_about(view, frame, io.MousePos.x, io.MousePos.y, std::pow(kWheelFactor, wheel));
   if (dragging) pan_by(view, frame, io.MouseDelta.x, io.MouseDelta.y);
@@ -104,7 +109,7 @@ TileMouse handle_tile_mouse(Document& document, Pictures& pictures, ViewState& v
   const TileFrame frame = frame_of(pictures, which, rect);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) remember_hover(view, which, frame);
-  mark_with_mouse(view, frame);
+  mark_with_mouse(view, frame, which.pinned);
   if (!which.pinned && camera_mouse(document, view, frame)) return {hovered};
   const bool held = ImGui::IsItemActive();
   const bool dragging = held && (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0F) ||

@@ -11,6 +11,7 @@
 #include "app/panels/widgets/widgets.h"
 #include "app/window/scene_bounds.h"
 #include "app/window/theme.h"
+#include "app/window/typing_wish.h"
 #include "app/workbench/camera_control.h"
 #include "pipeline/base/error.h"
 
@@ -117,7 +118,7 @@ void fit_view(Document& document, Pictures& pictures, Problems& problems, FitTo 
 
 void ViewsPanel::draw_name(size_t index, float width) {
   ImGui::SetNextItemWidth(width);
-  if (focus_) ImGui::SetKeyboardFocusHere();
+  if (focus_) take_keyboard();
   focus_ = false;
   const bool entered = ImGui::InputText(
       "##new name", &new_name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
@@ -157,6 +158,7 @@ void ViewsPanel::draw_bookmark(size_t index) {
       renamed_ = static_cast<int>(index);
       new_name_ = bookmark.name;
       focus_ = true;
+      expect_typing();
     }
     if (ImGui::MenuItem("Replace with the camera now")) {
       bookmarks[index].camera = document_.settings().camera;

@@ -139,6 +139,17 @@ void draw_explanation(const Explanation& why) {
   for (size_t i = 0; i < why.terms.size(); ++i) draw_term(why.terms[i], term_colour(i));
 }
 
+/// Of the state that was asked; nothing while its picture is not there yet.
+const Explanation* explanation_of(Viewer& viewer, const MarkedPixel& pixel, bool pinned) {
+  if (pinned) return &viewer.explain_pinned(pixel.x, pixel.y);
+  const std::optional<Frame>& drawn = viewer.drawn();
+  if (!viewer.can_draw() || !drawn) return nullptr;
+  const ImageParams& image = drawn->settings().image;
+  if (pixel.x >= image.width || pixel.y >= image.height)
+    return nullptr;  // the next frame brings a larger one
+  return &viewer.explain(pixel.x, pixel.y);
+}
+
 }  // namespace
 
 void draw_why(const Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map) {
@@ -146,18 +157,15 @@ void draw_why(const Document& document, Viewer& viewer, ViewState& view, UiMap& 
     wrapped_text("Click a pixel to see why it is a line or not.", theme().faint);
     return;
   }
-  move_mark(document, view, 0, 0);  // the image may be smaller now
-  const auto& [x, y] = *view.marked;
+  move_mark(document, viewer.pictures, view, 0, 0);  // the image may be smaller now
+  const bool pinned = asks_pinned(view) && viewer.pictures.pinned_maps();
   ImGui::PushFont(fonts().bold);
-  ImGui::Text("Why pixel %d, %d?", x, y);
+  ImGui::Text("Why pixel %d, %d%s?", view.marked->x, view.marked->y, pinned ? ", pinned" : "");
   ImGui::PopFont();
-  ui_map.mark_item("why");
-  const std::optional<Frame>& drawn = viewer.drawn();
-  if (!viewer.can_draw() || !drawn) return;
-  if (x >= drawn->settings().image.width || y >= drawn->settings().image.height)
-    return;  // the larger image comes with the next frame
+  ui_map.mark_item(pinned ? "why pinned" : "why");
   try {
-    draw_explanation(viewer.explain(x, y));
+    const Explanation* why = explanation_of(viewer, *view.marked, pinned);
+    if (why != nullptr) draw_explanation(*why);
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }

@@ -58,7 +58,7 @@ void StudiesMenu::draw_menu() {
   if (menu_item(ui_map_, "Show the studies", "F3", studies.page_open)) studies.page_open = !studies.page_open;
   if (menu_item(ui_map_, "New study")) attempt(problems_, [&] { studies.new_form(document_.settings()); });
   if (menu_item(ui_map_, "Open a spec or results..."))
-    question_.ask("Open a study", "A spec (.toml), or the folder of a study that ran.", "Open",
+    question_.ask({"Open a study", "A spec (.toml), or the folder of a study that ran.", "Open"},
                   [this](const std::string& path) { open_path(studies_, path); });
   ImGui::Separator();
   read_bundled();

@@ -10,7 +10,6 @@
 #include "app/panels/widgets/file_question.h"
 #include "app/window/studies.h"
 #include "app/window/ui_map.h"
-#include "app/window/window_requests.h"
 #include "app/workbench/document.h"
 #include "app/workbench/problems.h"
 
@@ -19,13 +18,12 @@ namespace inkbench {
 class StudiesMenu {
  public:
   /// All must outlive it.
-  StudiesMenu(const Document& document, Studies& studies, Problems& problems, WindowRequests& requests,
-              UiMap& ui_map)
+  StudiesMenu(const Document& document, Studies& studies, Problems& problems, UiMap& ui_map)
       : document_(document),
         studies_(studies),
         problems_(problems),
         ui_map_(ui_map),
-        question_(problems, requests, ui_map) {}
+        question_(problems, ui_map) {}
 
   /// Between BeginMainMenuBar and EndMainMenuBar.
   void draw_menu();

@@ -14,6 +14,7 @@
 #include "app/panels/widgets/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
+#include "app/window/typing_wish.h"
 #include "pipeline/base/text.h"
 #include "studies/sweep/labels.h"
 
@@ -40,7 +41,8 @@ double decimal(double value) {
 
 void end_bar(UiMap& ui_map, const std::string& id, const char* help, const Field& field, double& value,
              float width) {
-  const double next = entered(value_bar(id.c_str(), value, field, width)).value_or(value);
+  const BarResult bar = value_bar(id.c_str(), value, field, width);
+  const double next = bar.given_up ? bar.value : entered(bar).value_or(value);
   if (next != value) value = field.type == FieldType::integer ? std::round(next) : decimal(next);
   ui_map.mark_item(id);
   help_for_item(help);
@@ -143,7 +145,7 @@ void add_axis_combo(const Document& document, Studies& studies, Problems& proble
   if (!open) return;
   if (ImGui::IsWindowAppearing()) {
     search.clear();
-    ImGui::SetKeyboardFocusHere();
+    take_keyboard();
   }
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##find", "Search", &search);

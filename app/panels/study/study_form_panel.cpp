@@ -86,7 +86,7 @@ void side_bar(const Document& document, UiMap& ui_map, const char* key, int& sid
   const Field& field = *find_param(document.settings(), key, "").field;
   const BarResult bar = value_bar(key, side, field, width);
   ui_map.mark_item(std::string("study:") + key);
-  if (const auto value = entered(bar))
+  if (const auto value = bar.given_up ? bar.value : entered(bar))
     side = static_cast<int>(std::clamp(*value, field.limits.low, field.limits.high));
   help_for_item(field.help);
 }

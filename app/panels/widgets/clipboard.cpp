@@ -16,7 +16,8 @@ namespace inkbench {
 
 void copy_render_command(const Document& document, const ViewState& view, Problems& problems) {
   attempt(problems, [&] {
-    const RenderCommand command = render_command(document.settings(), document.scene(), {looked_at(view)});
+    const RenderCommand command = render_command(document.settings(), document.scene(), {looked_at(view)},
+                                                 "out/render", program_word());
     ImGui::SetClipboardText(command.text.c_str());
     problems.tell(Severity::note, "copied: " + command.text);
   });

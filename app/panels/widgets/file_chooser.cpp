@@ -10,6 +10,8 @@
 #include "app/panels/widgets/widgets.h"
 #include "app/window/gui.h"
 #include "app/window/theme.h"
+#include "app/window/typing_wish.h"
+#include "app/workbench/save_place.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
 
@@ -21,11 +23,6 @@ constexpr float kPlacesWidth = 132, kSizeWidth = 74;
 bool is_folder(const fs::path& path) {
   std::error_code error;
   return fs::is_directory(path, error);
-}
-
-bool is_there(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
 }
 
 fs::path working_folder() {
@@ -42,6 +39,7 @@ bool key_pressed(ImGuiKey key) {
 void FileChooser::ask(ChooserQuestion question) {
   question_ = std::move(question);
   asking_ = true;
+  expect_typing();
   replaces_.reset();
 }
 
@@ -91,12 +89,13 @@ void FileChooser::draw_places() {
 void FileChooser::draw_path() {
   const float up = button_width("Up");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - up - ImGui::GetStyle().ItemSpacing.x);
-  if (focus_ && !question_.saves) ImGui::SetKeyboardFocusHere();
+  if (focus_ && !question_.saves) take_keyboard();
   const bool entered =
       ImGui::InputTextWithHint("##path", "Type or paste a path", &path_text_,
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ui_map_.mark_item("path");
   if (ImGui::IsItemEdited()) selected_.reset();  // what was typed last is meant
+  if (ImGui::IsItemEdited()) problem_.clear();
   if (entered && path_text_ != listing_.folder.string()) selected_.reset();
   if (entered) open_chosen();
   ImGui::SameLine();
@@ -110,7 +109,9 @@ void FileChooser::activate(const fs::path& path) {
   if (is_folder(path)) {
     go_to(path.has_filename() ? path : path.parent_path());
     focus_ = true;
-  } else if (question_.saves || is_there(path)) {
+  } else if (question_.saves) {
+    name_file(path);
+  } else if (is_taken(path)) {
     choose(path);
   } else {
     tell_missing(path);
@@ -127,13 +128,35 @@ void FileChooser::tell_missing(const fs::path& path) {
   problem_ = "There is no " + path.string();
 }
 
-void FileChooser::choose(const fs::path& path) {
-  problem_.clear();
-  if (question_.saves && is_there(path) && replaces_ != path) {
-    replaces_ = path;
-    return;
+/// The file that would be written.
+fs::path FileChooser::target() const {
+  return save_path(question_.name, listing_.folder, question_.extensions);
+}
+
+/// A whole path becomes the folder that is shown and the name in it, so that what is asked next is seen
+/// there.
+void FileChooser::name_file(const fs::path& path) {
+  if (path.empty()) return;
+  if (is_folder(path)) {
+    question_.name.clear();
+    return activate(path);
   }
-  chosen_ = path;
+  const fs::path folder = path.parent_path();
+  question_.name = is_folder(folder) ? path.filename().string() : path.string();
+  if (is_folder(folder) && folder != listing_.folder) go_to(folder);
+  focus_ = true;
+  choose(target());
+}
+
+/// What is to be saved is asked about where it would replace a file; no folder is made for it.
+void FileChooser::choose(const fs::path& path) {
+  problem_ = question_.saves ? save_problem(path) : "";
+  if (!problem_.empty()) return;
+  if (question_.saves && is_taken(path) && replaces_ != path) {
+    replaces_ = path;
+  } else {
+    chosen_ = path;
+  }
 }
 
 void FileChooser::draw_entry(size_t index) {
@@ -205,11 +228,12 @@ void FileChooser::draw_buttons() {
     ImGui::TextUnformatted("Name");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    if (focus_) ImGui::SetKeyboardFocusHere();
+    if (focus_) take_keyboard();
     accepts = ImGui::InputText("##name", &question_.name,
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     ui_map_.mark_item("chooser:name");
-    if (replaces_ && replaces_->filename() != question_.name) replaces_.reset();
+    if (ImGui::IsItemEdited()) problem_.clear();
+    if (replaces_ && *replaces_ != target()) replaces_.reset();
   }
   focus_ = false;
   const char* label = replaces_ ? "Replace" : question_.button.c_str();
@@ -220,14 +244,16 @@ void FileChooser::draw_buttons() {
   ui_map_.mark_item("chooser:cancel");
   ImGui::SameLine();
   if (replaces_) {
-    coloured_text(theme().warning, replaces_->filename().string() + " is there already. Replace it?");
+    fitted_text(replaces_->filename().string() + " is there already. Replace it?",
+                ImGui::GetContentRegionAvail().x, theme().warning);
+    ui_map_.mark_item("chooser:replace");
   } else if (!problem_.empty()) {
     fitted_text(problem_, ImGui::GetContentRegionAvail().x, theme().error);
     ui_map_.mark_item("chooser:problem");
   } else {
     ImGui::NewLine();
   }
-  if (accepts && question_.saves && !question_.name.empty()) choose(listing_.folder / question_.name);
+  if (accepts && question_.saves && !question_.name.empty()) name_file(target());
   if (accepts && !question_.saves) open_chosen();
   if (cancels) ImGui::CloseCurrentPopup();
 }

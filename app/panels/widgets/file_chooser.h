@@ -17,10 +17,11 @@ namespace inkbench {
 
 struct ChooserQuestion {
   std::string title, help, button;
-  std::vector<std::string_view> extensions;  ///< Of the files to list.
-  std::filesystem::path folder;              ///< Where to start; empty: the recent files.
-  bool saves = false;                        ///< A name is asked for that need not be there yet.
-  std::string name;                          ///< The one to begin with.
+  std::vector<std::string_view>
+      extensions;                ///< Of the files to list; a saved name without one gets the first.
+  std::filesystem::path folder;  ///< Where to start; empty: the recent files.
+  bool saves = false;            ///< A name is asked for that need not be there yet.
+  std::string name;              ///< The one to begin with.
 };
 
 class FileChooser {
@@ -48,6 +49,8 @@ class FileChooser {
   void draw_entry(size_t index);
   void move_by_keys();
   void draw_buttons();
+  std::filesystem::path target() const;
+  void name_file(const std::filesystem::path& path);
   void activate(const std::filesystem::path& path);
   void tell_missing(const std::filesystem::path& path);
   void open_chosen();

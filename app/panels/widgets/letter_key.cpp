@@ -18,4 +18,13 @@ bool letter_pressed(char letter) {
   return false;
 }
 
+bool popup_is_open() {
+  return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+bool keys_are_free(const WindowLayout& layout) {
+  const ImGuiIO& io = ImGui::GetIO();
+  return !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && !popup_is_open() && !layout.show_welcome;
+}
+
 }  // namespace inkbench

@@ -11,7 +11,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/panels/widgets/held_drag.h"
 #include "app/window/theme.h"
+#include "app/window/typing_wish.h"
 #include "pipeline/base/text.h"
 
 namespace inkbench {
@@ -51,7 +53,7 @@ bool is_log(const Field& field) {
 bool type_number(float width, BarResult& result) {
   Typing& state = typing();
   ImGui::SetNextItemWidth(width);
-  if (state.focus) ImGui::SetKeyboardFocusHere();
+  if (state.focus) take_keyboard();
   state.focus = false;
   const bool confirmed = ImGui::InputText(
       "##typed", &state.text, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
@@ -61,7 +63,20 @@ bool type_number(float width, BarResult& result) {
   if ((confirmed || left) && !cancelled) result.typed = state.text;
   if (tab) ImGui::ClearActiveID();
   state.passes_on = tab;
+  if (tab) expect_typing();
   return confirmed || left;
+}
+
+/// Where on the bar it is dragged to. With Shift the value goes on from where it is; else it jumps to the
+/// mouse.
+double dragged_share(const Field& field, double value, ImVec2 low, float width) {
+  static float grip = 0;  // from the mouse to the value, in pixels
+  const float x = drag_place().x;
+  if (ImGui::IsItemActivated()) {
+    const bool stays = ImGui::GetIO().KeyShift;
+    grip = stays ? low.x + static_cast<float>(share_of(field, value)) * width - x : 0.0F;
+  }
+  return (x + grip - low.x) / width;
 }
 
 void draw_bar(ImVec2 low, ImVec2 high, const Field& field, double value, bool hot) {
@@ -137,15 +152,21 @@ BarResult value_bar(const char* id, double value, const Field& field, float widt
   if (wants_typing) {
     const bool whole = field.type == FieldType::integer;
     typing() = {own, whole ? fmt::format("{:.0f}", value) : shortest(static_cast<float>(value)), true};
+    expect_typing();
+  }
+  if (const auto before = given_back(value)) {
+    result.given_up = true;
+    result.value = *before;
   }
   const bool dragging = ImGui::IsItemActive() && !wants_typing && !io.KeyCtrl;
   result.pressed = ImGui::IsItemActivated() && !wants_typing;
   result.released = ImGui::IsItemDeactivated();
   result.reset = ImGui::IsItemClicked(ImGuiMouseButton_Right);
-  const bool moved = ImGui::IsItemActivated() || io.MouseDelta.x != 0.0F;
-  if (dragging && moved) {
-    result.value = value_at(field, (io.MousePos.x - low.x) / (high.x - low.x), io.KeyShift);
-    result.dragged = result.value != value;
+  if (dragging) {
+    const double share = dragged_share(field, value, low, high.x - low.x);
+    const bool moved = io.MouseDelta.x != 0.0F || (ImGui::IsItemActivated() && !io.KeyShift);
+    if (moved) result.value = value_at(field, share, io.KeyShift);
+    result.dragged = moved && result.value != value;
   }
   draw_bar(low, high, field, value, ImGui::IsItemHovered() || ImGui::IsItemActive());
   ImGui::PopID();

@@ -13,6 +13,7 @@ namespace inkbench {
 struct BarResult {
   bool pressed = false;   ///< Dragging begins.
   bool released = false;  ///< Dragging ends.
+  bool given_up = false;  ///< It ends by Esc; `value` is what it was before.
   bool dragged = false;   ///< `value` is another one.
   bool reset = false;     ///< Right click.
   double value = 0.0;
@@ -20,7 +21,7 @@ struct BarResult {
 };
 
 /// `id` must be unique in its window. Dragging sets values of the useful range in sensible steps, finer with
-/// Shift; Ctrl and click types any number.
+/// Shift; Ctrl and click types any number. What edits the document takes its edit back itself on Esc.
 BarResult value_bar(const char* id, double value, const Field& field, float width);
 
 /// What the person made of the bar: the value dragged to, or what was typed where that is a finite number.
