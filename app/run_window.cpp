@@ -18,6 +18,7 @@
 #include "app/window/state_file.h"
 #include "app/window/typing_wish.h"
 #include "app/window/workbench.h"
+#include "app/workbench/save_place.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/image/image_file.h"
@@ -45,13 +46,16 @@ Picture read_window(WindowSize size) {
   return picture;
 }
 
+/// One that is free.
 std::string screenshot_name() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
   localtime_r(&now, &local);
   std::array<char, 64> text{};
-  std::strftime(text.data(), text.size(), "inkbench-%Y%m%d-%H%M%S.png", &local);
-  return text.data();
+  std::strftime(text.data(), text.size(), "inkbench-%Y%m%d-%H%M%S", &local);
+  std::string name = text.data();
+  for (int i = 2; is_taken(name + ".png"); ++i) name = fmt::format("{}-{}", text.data(), i);
+  return name + ".png";
 }
 
 class WindowLoop {

@@ -28,4 +28,16 @@ std::vector<BufferName> wanted_buffers(const WindowLayout& layout, const ViewSta
   return wanted;
 }
 
+ComparedPicture meant_picture(const ViewState& view) {
+  const Comparison& comparison = view.comparison;
+  if (!comparison.active || !comparison.flips) return {looked_at(view), false};
+  return comparison.shows_b ? comparison.b : comparison.a;
+}
+
+const Settings& settings_of(const ComparedPicture& picture, const Document& document,
+                            const Pictures& pictures) {
+  const std::optional<Settings>& pinned = pictures.pinned_settings();
+  return picture.pinned && pinned ? *pinned : document.settings();
+}
+
 }  // namespace inkbench

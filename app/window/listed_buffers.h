@@ -7,6 +7,7 @@
 
 #include "app/window/pictures.h"
 #include "app/window/view_state.h"
+#include "app/workbench/document.h"
 #include "app/workbench/window_layout.h"
 
 namespace inkbench {
@@ -22,5 +23,13 @@ std::vector<BufferName> wanted_buffers(const WindowLayout& layout, const ViewSta
 inline BufferName looked_at(const ViewState& view) {
   return view.filled.value_or(view.selected);
 }
+
+/// The picture that saving and copying mean: of two that are flipped the one that is seen, which may be
+/// pinned; else the one that is looked at, as it is now.
+ComparedPicture meant_picture(const ViewState& view);
+
+/// What it is drawn with.
+const Settings& settings_of(const ComparedPicture& picture, const Document& document,
+                            const Pictures& pictures);
 
 }  // namespace inkbench

@@ -80,6 +80,12 @@ TEST_F(AppWhy, pinned_side_answers_with_the_pinned_states_numbers) {
   EXPECT_FALSE(now["why"]["pinned"].get<bool>());
   EXPECT_FLOAT_EQ(now["why"]["normal"]["k"].get<float>(), static_cast<float>(after));
   keys("space");  // shows the pinned one alone at first
+  keys("ctrl+shift+c");
+  const Json copied = wait_for("the command", [](const Json& state) {
+    return state["log"].back().get<std::string>().starts_with("copied: ");
+  });
+  EXPECT_EQ(copied["log"].back().get<std::string>().find("k_normal"), std::string::npos)
+      << "it draws the pinned state";
   const auto k_shown = [&] { return settled()["why"]["normal"]["k"].get<float>(); };
   const float first = k_shown();
   keys("space");

@@ -28,8 +28,8 @@ std::string with_step(const char* verb, const std::string& step) {
 
 }  // namespace
 
-void draw_edit_menu(Document& document, const ViewState& view, FileOpener& files, Problems& problems,
-                    UiMap& ui_map) {
+void draw_edit_menu(Document& document, const Pictures& pictures, const ViewState& view, FileOpener& files,
+                    Problems& problems, UiMap& ui_map) {
   const bool open = ImGui::BeginMenu("Edit");
   ui_map.mark_item("menu:Edit");
   if (!open) return;
@@ -39,7 +39,8 @@ void draw_edit_menu(Document& document, const ViewState& view, FileOpener& files
   if (item(ui_map, with_step("Redo", history.redo_name()), "Ctrl+Shift+Z", history.can_redo(), "Redo"))
     document.redo();
   ImGui::Separator();
-  if (item(ui_map, "Copy as a command", "Ctrl+Shift+C")) copy_render_command(document, view, problems);
+  if (item(ui_map, "Copy as a command", "Ctrl+Shift+C"))
+    copy_render_command(document, pictures, view, problems);
   if (item(ui_map, "Copy settings")) copy_settings(document, problems);
   if (item(ui_map, "Paste settings or a path", "Ctrl+V")) paste(document, files, problems);
   ImGui::Separator();

@@ -57,8 +57,8 @@ ChooserQuestion save_question(const Document& document, const Keeping& keeping) 
           .name = is_preset_file(document.scene()) ? document.scene().filename().string() : "scene.toml"};
 }
 
-ChooserQuestion image_question(BufferName buffer, const fs::path& folder) {
-  return {.title = "Save a picture",
+ChooserQuestion image_question(const ComparedPicture& picture, const fs::path& folder) {
+  return {.title = picture.pinned ? "Save a picture of the pinned state" : "Save a picture",
           .help =
               "The bytes that `inkbench render` writes: .png is the picture with the display gains, .exr "
               "the raw values. Both carry all settings.",
@@ -66,7 +66,7 @@ ChooserQuestion image_question(BufferName buffer, const fs::path& folder) {
           .extensions = {".png", ".exr", ".svg"},
           .folder = folder,
           .saves = true,
-          .name = std::string(name_of(buffer)) + ".png"};
+          .name = std::string(name_of(picture.buffer)) + ".png"};
 }
 
 }  // namespace
@@ -81,8 +81,8 @@ void FileDialogs::begin(FileDialog dialog) {
     chooser_.ask(save_question(document_, keeping_));
   }
   if (dialog != FileDialog::save_image) return;
-  buffer_ = looked_at(view_);
-  chooser_.ask(image_question(buffer_, image_folder_));
+  picture_ = meant_picture(view_);
+  chooser_.ask(image_question(picture_, image_folder_));
 }
 
 void FileDialogs::set_image_ending(std::string_view ending) {
@@ -94,21 +94,21 @@ void FileDialogs::draw_image_choice() {
   ImGui::TextUnformatted("Buffer");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(scaled(160));
-  const bool open = ImGui::BeginCombo("##buffer", std::string(name_of(buffer_)).c_str());
+  const bool open = ImGui::BeginCombo("##buffer", std::string(name_of(picture_.buffer)).c_str());
   ui_map_.mark_item("image:buffer");
   for (const BufferName buffer : all_buffers()) {
     if (!open) break;
     const std::string name(name_of(buffer));
-    if (ImGui::Selectable(name.c_str(), buffer == buffer_)) {
+    if (ImGui::Selectable(name.c_str(), buffer == picture_.buffer)) {
       const fs::path typed(chooser_.name());
-      if (typed.stem() == name_of(buffer_)) chooser_.name() = name + typed.extension().string();
-      buffer_ = buffer;
+      if (typed.stem() == name_of(picture_.buffer)) chooser_.name() = name + typed.extension().string();
+      picture_.buffer = buffer;
     }
     ui_map_.mark_item("image:" + name);
   }
   if (open) ImGui::EndCombo();
   const std::string ending = lower_extension(chooser_.name());
-  const bool lines = buffer_ == BufferName::reference;
+  const bool lines = picture_.buffer == BufferName::reference;
   for (const char* format : {".png", ".exr", ".svg"}) {
     if (!lines && format == std::string_view(".svg")) continue;
     ImGui::SameLine();
@@ -121,9 +121,9 @@ void FileDialogs::finish(const fs::path& path) {
   if (dialog_ == FileDialog::open) return files_.open(path.string());
   attempt(problems_, [&] {
     if (dialog_ == FileDialog::save_settings) return write_settings(document_, problems_, path);
-    write_buffer(pictures_.pipeline().at(document_.settings()), buffer_, path);
+    write_buffer(pictures_.pipeline().at(settings_of(picture_, document_, pictures_)), picture_.buffer, path);
     image_folder_ = path.parent_path();
-    problems_.tell(Severity::note, fmt::format("saved {} as {}", name_of(buffer_), path.string()));
+    problems_.tell(Severity::note, fmt::format("saved {} as {}", name_of(picture_.buffer), path.string()));
   });
 }
 

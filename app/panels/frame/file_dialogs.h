@@ -49,7 +49,7 @@ class FileDialogs {
   UiMap& ui_map_;
   FileChooser chooser_;
   FileDialog dialog_ = FileDialog::open;
-  BufferName buffer_ = BufferName::final;
+  ComparedPicture picture_;             ///< To save.
   std::filesystem::path image_folder_;  ///< Where the last picture was saved.
 };
 

@@ -34,7 +34,7 @@ bool KeepShortcuts::editing_keys(bool shift) {
   } else if (letter_pressed('y')) {
     document_.redo();
   } else if (shift && letter_pressed('c')) {
-    copy_render_command(document_, view_, problems_);
+    copy_render_command(document_, pictures_, view_, problems_);
   } else if (letter_pressed('v')) {
     paste(document_, files_, problems_);
   } else {

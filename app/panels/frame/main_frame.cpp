@@ -204,7 +204,8 @@ void MainFrame::draw_menu_bar() {
   if (ImGui::BeginMainMenuBar()) {
     menu_height_ = ImGui::GetWindowHeight();
     file_menu_.draw();
-    draw_edit_menu(bench_.document, bench_.view, bench_.files, bench_.problems, bench_.ui_map);
+    draw_edit_menu(bench_.document, bench_.viewer.pictures, bench_.view, bench_.files, bench_.problems,
+                   bench_.ui_map);
     view_menu_.draw();
     studies_menu_.draw_menu();
     draw_help_menu(bench_.layout, bench_.problems, bench_.ui_map);

@@ -18,7 +18,8 @@ void draw_picture_menu(const Document& document, Pictures& pictures, ViewState& 
   if (!ImGui::BeginPopup(id.c_str())) return;
   view.selected = buffer;
   if (menu_item(ui_map, "Save this picture...", "Ctrl+E")) wanted_dialog = FileDialog::save_image;
-  if (menu_item(ui_map, "Copy as a command", "Ctrl+Shift+C")) copy_render_command(document, view, problems);
+  if (menu_item(ui_map, "Copy as a command", "Ctrl+Shift+C"))
+    copy_render_command(document, pictures, view, problems);
   ImGui::Separator();
   if (menu_item(ui_map, "Fill the window", nullptr, view.filled == buffer))
     view.filled = view.filled ? std::nullopt : std::optional(buffer);

@@ -14,10 +14,12 @@
 
 namespace inkbench {
 
-void copy_render_command(const Document& document, const ViewState& view, Problems& problems) {
+void copy_render_command(const Document& document, const Pictures& pictures, const ViewState& view,
+                         Problems& problems) {
   attempt(problems, [&] {
-    const RenderCommand command = render_command(document.settings(), document.scene(), {looked_at(view)},
-                                                 "out/render", program_word());
+    const ComparedPicture meant = meant_picture(view);
+    const RenderCommand command = render_command(settings_of(meant, document, pictures), document.scene(),
+                                                 {meant.buffer}, "out/render", program_word());
     ImGui::SetClipboardText(command.text.c_str());
     problems.tell(Severity::note, "copied: " + command.text);
   });

@@ -162,8 +162,8 @@ BarResult value_bar(const char* id, double value, const Field& field, float widt
   result.pressed = ImGui::IsItemActivated() && !wants_typing;
   result.released = ImGui::IsItemDeactivated();
   result.reset = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+  const double share = ImGui::IsItemActive() ? dragged_share(field, value, low, high.x - low.x) : 0.0;
   if (dragging) {
-    const double share = dragged_share(field, value, low, high.x - low.x);
     const bool moved = io.MouseDelta.x != 0.0F || (ImGui::IsItemActivated() && !io.KeyShift);
     if (moved) result.value = value_at(field, share, io.KeyShift);
     result.dragged = moved && result.value != value;
