@@ -7,6 +7,9 @@
 #include <set>
 
 #include "app/commands.h"
+#include "app/hear_signals.h"
+#include "app/number_option.h"
+#include "app/terminal.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
@@ -75,8 +78,8 @@ void decimate(const DecimateOptions& options) {
     const fs::path path = fs::path(options.out) / fmt::format("{}_{}.{}", stem, asked, options.format);
     write_mesh_file(level, path, options.format == "obj" ? MeshFileFormat::obj : MeshFileFormat::ply,
                     fmt::format("inkbench decimate: {} of {} faces", reached, mesh.triangles.size()));
-    fmt::print("{} asked, {} reached{}: {}\n", asked, reached, remark(asked, reached, mesh.triangles.size()),
-               path.string());
+    print_out("{} asked, {} reached{}: {}\n", asked, reached, remark(asked, reached, mesh.triangles.size()),
+              path.string());
   }
 }
 
@@ -100,9 +103,12 @@ void add_decimate_command(CLI::App& app) {
   command
       ->add_option("--weld", options->weld,
                    "Merge vertices at most this far apart first, in the mesh's units; equal ones need none")
-      ->check(CLI::NonNegativeNumber);
+      ->check(finite_not_negative());
   command->footer("Example:\n  inkbench decimate rabbit --faces 20000,5000,1000 --out out/levels");
-  command->callback([options] { decimate(*options); });
+  command->callback([options] {
+    hear_signals();
+    decimate(*options);
+  });
 }
 
 }  // namespace inkbench

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <array>
 #include <charconv>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/hear_signals.h"
 #include "app/scene_options.h"
+#include "app/terminal.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
 #include "pipeline/explain.h"
@@ -41,7 +41,7 @@ void explain(const ExplainOptions& options) {
   const HeadlessContext context;
   Pipeline pipeline;
   const Explanation explanation = explain_pixel(pipeline.at(settings), x, y);
-  fmt::print("{}", options.json ? explanation_json(explanation) : explanation_text(explanation));
+  print_out("{}", options.json ? explanation_json(explanation) : explanation_text(explanation));
 }
 
 }  // namespace
@@ -55,7 +55,10 @@ void add_explain_command(CLI::App& app) {
   command->footer(
       "Examples:\n  inkbench explain --pixel 200,310\n"
       "  inkbench explain --pixel 200,310 --from out/paper/final.png --set combine.k_normal=0.02 --json");
-  command->callback([options] { explain(*options); });
+  command->callback([options] {
+    hear_signals();
+    explain(*options);
+  });
 }
 
 }  // namespace inkbench

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <functional>
 
 #include "app/commands.h"
+#include "app/hear_signals.h"
+#include "app/terminal.h"
 #include "app/workbench/recent_studies.h"
 #include "app/workbench/user_folder.h"
 #include "pipeline/base/error.h"
@@ -26,23 +26,23 @@ std::string place(const std::function<fs::path()>& find) {
 
 void print_places() {
   const fs::path cache = collapse_record_folder();
-  fmt::print("data        {}\n", place(project_root));
-  fmt::print("rabbit      {}\n", place(find_rabbit));
-  fmt::print("presets     {}\n", place(user_folder));
-  fmt::print("studies     {}\n", place(studies_folder));
-  fmt::print("cache       {}\n", cache.empty() ? "none" : cache.string());
+  print_out("data        {}\n", place(project_root));
+  print_out("rabbit      {}\n", place(find_rabbit));
+  print_out("presets     {}\n", place(user_folder));
+  print_out("studies     {}\n", place(studies_folder));
+  print_out("cache       {}\n", cache.empty() ? "none" : cache.string());
 }
 
 void print_info() {
-  fmt::print("inkbench    {}\n", INKBENCH_VERSION);
+  print_out("inkbench    {}\n", INKBENCH_VERSION);
   print_places();
   const HeadlessContext context;
   const RendererInfo info = renderer_info();
-  fmt::print("renderer    {}\n", info.renderer);
-  fmt::print("vendor      {}\n", info.vendor);
-  fmt::print("OpenGL      {}\n", info.version);
-  fmt::print("EGL         {} platform\n", context.platform());
-  fmt::print("largest     {} x {} px\n", info.max_side_px, info.max_side_px);
+  print_out("renderer    {}\n", info.renderer);
+  print_out("vendor      {}\n", info.vendor);
+  print_out("OpenGL      {}\n", info.version);
+  print_out("EGL         {} platform\n", context.platform());
+  print_out("largest     {} x {} px\n", info.max_side_px, info.max_side_px);
 }
 
 }  // namespace
@@ -51,7 +51,10 @@ void add_info_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("info", "Show the renderer, versions and where files are looked for and kept");
   command->footer("Example:\n  inkbench info");
-  command->callback(print_info);
+  command->callback([] {
+    hear_signals();
+    print_info();
+  });
 }
 
 }  // namespace inkbench

@@ -2,20 +2,18 @@
 // The command line: parses, runs one subcommand, and turns errors into one message and an exit status
 // (0; 1 the work failed; 2 bad usage or bad input).
 #include <csignal>
-#include <cstdio>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "app/commands.h"
+#include "app/terminal.h"
 #include "pipeline/base/error.h"
+#include "pipeline/base/stop.h"
 
 namespace {
 
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "inkbench: error: %s\n", message.c_str());
-  return status;
-}
+using inkbench::fail;
 
 int run(int argc, char** argv) {
   CLI::App app("inkbench: a workbench for tuning and evaluating cartoon line rendering", "inkbench");
@@ -52,18 +50,26 @@ int run(int argc, char** argv) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a write past the file size limit is an error that we report, not a death
-  std::signal(SIGPIPE, SIG_IGN);
+/// The exit status, whatever is thrown.
+int guarded_run(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const inkbench::Error& error) {
     return fail(error.what(), error.kind() == inkbench::ErrorKind::input ? 2 : 1);
+  } catch (const inkbench::Stopped&) {
+    return fail("stopped before the work was done", 1);
   } catch (const std::bad_alloc&) {
     return fail("out of memory; choose a smaller image or mesh", 1);
   } catch (const std::exception& error) {
     return fail(error.what(), 1);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  inkbench::open_closed_descriptors();
+  std::signal(SIGXFSZ, SIG_IGN);  // a write past the file size limit is an error that we report, not a death
+  std::signal(SIGPIPE, SIG_IGN);
+  return inkbench::finish_output(guarded_run(argc, argv));
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "app/commands.h"
+#include "app/hear_signals.h"
 #include "app/scene_options.h"
+#include "app/terminal.h"
 #include "pipeline/base/text.h"
 #include "pipeline/gl/context.h"
 #include "studies/judging/drawing_meter.h"
@@ -20,10 +20,10 @@ struct MeasureOptions {
 
 void print_list(const std::string& format) {
   if (format == "markdown") {
-    fmt::print("{}", measures_markdown());
+    print_out("{}", measures_markdown());
     return;
   }
-  for (const Measure& measure : measure_table()) fmt::print("{:<18} {}\n", measure.key, measure.help);
+  for (const Measure& measure : measure_table()) print_out("{:<18} {}\n", measure.key, measure.help);
 }
 
 void measure(const MeasureOptions& options) {
@@ -33,14 +33,14 @@ void measure(const MeasureOptions& options) {
   Pipeline pipeline;
   const DrawingTally tally = DrawingMeter(pipeline, MeasureNeeds::all()).tally(pipeline.at(settings));
   if (options.json) {
-    fmt::print("{}\n", measures_json(all_measures(), tally));
+    print_out("{}\n", measures_json(all_measures(), tally));
     return;
   }
-  fmt::print("The drawing against its reference lines, {} x {}, tolerance {} px\n", settings.image.width,
-             settings.image.height, shortest(settings.judge.tolerance));
+  print_out("The drawing against its reference lines, {} x {}, tolerance {} px\n", settings.image.width,
+            settings.image.height, shortest(settings.judge.tolerance));
   if (tally.lines.empty())
-    fmt::print("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
-  fmt::print("{}", measures_table(all_measures(), tally));
+    print_out("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
+  print_out("{}", measures_table(all_measures(), tally));
 }
 
 }  // namespace
@@ -57,7 +57,10 @@ void add_measure_command(CLI::App& app) {
       "`--set judge.KEY=VALUE` judges in another way.\n"
       "Examples:\n  inkbench measure --set combine.k_normal=0.02 --size 1024x1024\n"
       "  inkbench measure --from out/paper/final.png --set judge.tolerance=1 --json");
-  command->callback([options] { measure(*options); });
+  command->callback([options] {
+    hear_signals();
+    measure(*options);
+  });
 }
 
 }  // namespace inkbench

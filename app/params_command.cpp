@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "app/commands.h"
+#include "app/terminal.h"
 #include "pipeline/settings/params_table.h"
 
 namespace inkbench {
@@ -19,7 +18,7 @@ void add_params_command(CLI::App& app) {
     const TableFormat table = *format == "json"       ? TableFormat::json
                               : *format == "markdown" ? TableFormat::markdown
                                                       : TableFormat::text;
-    fmt::print("{}", params_table(table));
+    print_out("{}", params_table(table));
   });
 }
 

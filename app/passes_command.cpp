@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <memory>
 #include <string>
 
 #include "app/commands.h"
+#include "app/terminal.h"
 #include "pipeline/passes_table.h"
 
 namespace inkbench {
@@ -19,7 +18,7 @@ void add_passes_command(CLI::App& app) {
     const PassesFormat wanted = *format == "dot"        ? PassesFormat::dot
                                 : *format == "markdown" ? PassesFormat::markdown
                                                         : PassesFormat::text;
-    fmt::print("{}", passes_table(wanted));
+    print_out("{}", passes_table(wanted));
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 
+#include "app/terminal.h"
 #include "app/workbench/duration_text.h"
 
 namespace inkbench {
@@ -15,8 +16,8 @@ constexpr double kQuietSeconds = 10.0;
 constexpr double kTerminalSeconds = 0.1;
 
 void print_json(const StudyProgress& progress) {
-  fmt::print("{}\n", progress_json(progress));
-  std::fflush(stdout);
+  print_out("{}\n", progress_json(progress));
+  flush_out();
 }
 
 }  // namespace

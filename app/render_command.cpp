@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/hear_signals.h"
 #include "app/scene_options.h"
+#include "app/terminal.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
@@ -48,7 +48,7 @@ void render(const RenderOptions& options) {
   const Frame frame = pipeline.at(settings);
   make_folder(options.out);
   for (const BufferName buffer : buffers) {
-    fmt::print("{}\n", write_to_folder(frame, buffer, options).string());
+    print_out("{}\n", write_to_folder(frame, buffer, options).string());
   }
 }
 
@@ -69,7 +69,10 @@ void add_render_command(CLI::App& app) {
       "Examples:\n  inkbench render --buffers all --out out/paper\n"
       "  inkbench render --mesh head.ply --size 1024x768 --set combine.k_normal=0.02 --out out/head\n"
       "  inkbench render --from out/paper/final.png --out out/again");
-  command->callback([options] { render(*options); });
+  command->callback([options] {
+    hear_signals();
+    render(*options);
+  });
 }
 
 }  // namespace inkbench

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/hear_signals.h"
+#include "app/terminal.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
@@ -128,16 +130,16 @@ std::string score_json(const ScoreOptions& options, const Scored& scored, const 
 }
 
 void print_table(const ScoreOptions& options, const Scored& scored, const DrawingTally& tally) {
-  fmt::print("{} against {}, {}, tolerance {} px\n", options.prediction, options.reference,
+  print_out("{} against {}, {}, tolerance {} px\n", options.prediction, options.reference,
              size_text(scored.prediction.lines), shortest(scored.tolerance_px));
   const auto& classes = scored.reference.classes;
   if (classes)
-    fmt::print("wanted: {}; allowed: {}\n", join(classes_of_tier(classes->judge, 1), ", "),
+    print_out("wanted: {}; allowed: {}\n", join(classes_of_tier(classes->judge, 1), ", "),
                join(classes_of_tier(classes->judge, 2), ", "));
   if (tally.lines.empty())
-    fmt::print("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
-  fmt::print("{}", measures_table(measures_of_maps(classes.has_value()), tally));
-  if (!options.diff.empty()) fmt::print("{}\n", options.diff);
+    print_out("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
+  print_out("{}", measures_table(measures_of_maps(classes.has_value()), tally));
+  if (!options.diff.empty()) print_out("{}\n", options.diff);
 }
 
 void score(const ScoreOptions& options) {
@@ -149,7 +151,7 @@ void score(const ScoreOptions& options) {
   }
   const DrawingTally tally = tally_of(scored);
   for (const std::string& note : notes_of(scored)) log_note(note);
-  if (options.json) return fmt::print("{}\n", score_json(options, scored, tally));
+  if (options.json) return print_out("{}\n", score_json(options, scored, tally));
   print_table(options, scored, tally);
 }
 
@@ -180,7 +182,10 @@ void add_score_command(CLI::App& app) {
       "Examples:\n  inkbench render --buffers lines,reference --out out/a\n"
       "  inkbench score out/a/lines.png out/a/reference.png --diff out/diff.png\n"
       "  inkbench score scan.png out/a/reference.png --cut 0.4 --json");
-  command->callback([options] { score(*options); });
+  command->callback([options] {
+    hear_signals();
+    score(*options);
+  });
 }
 
 }  // namespace inkbench

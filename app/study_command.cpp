@@ -1,35 +1,29 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/hear_signals.h"
 #include "app/progress_line.h"
+#include "app/terminal.h"
 #include "app/workbench/study_plan.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/stop.h"
 #include "pipeline/base/text.h"
 #include "pipeline/gl/context.h"
 #include "studies/sweep/run_study.h"
+#include "studies/sweep/verify_study.h"
 
 namespace inkbench {
 namespace {
 
 struct StudyArguments {
-  std::string spec, out, progress = "text";
+  std::string spec, folder, out, progress = "text";
   std::vector<std::string> assignments;
   bool dry_run = false, fresh = false, fail_fast = false;
 };
-
-std::atomic<bool> g_stop = false;
-
-void request_stop(int /*signal*/) {
-  g_stop = true;
-}
 
 std::vector<fs::path> specs_in(const fs::path& folder) {
   std::vector<fs::path> specs;
@@ -44,10 +38,10 @@ void list_studies() {
   for (const char* folder : {"studies", "studies/figures"}) {
     for (const fs::path& path : specs_in(project_file(folder))) {
       const std::string name = std::string(folder) + "/" + path.filename().string();
-      fmt::print("{:<42} {}\n", name, load_spec(path).purpose);
+      print_out("{:<42} {}\n", name, printable(load_spec(path).purpose));
     }
   }
-  fmt::print("\n`inkbench study studies/figures` makes all figures.\n");
+  print_out("\n`inkbench study studies/figures` makes all figures.\n");
 }
 
 /// A spec as it was named: a path, or a bundled one's path or short name.
@@ -61,16 +55,16 @@ fs::path find_spec(const std::string& name) {
 }
 
 void print_plan(const StudySpec& spec) {
-  fmt::print("{}: {}\n", spec.title, plan_text(spec));
-  std::fflush(stdout);
+  print_out("{}: {}\n", printable(spec.title), plan_text(spec));
+  flush_out();
 }
 
 void print_cells(const StudySpec& spec) {
   constexpr size_t kShown = 50;
   const size_t count = cell_count(spec);
   for (size_t i = 0; i < std::min(count, kShown); ++i)
-    fmt::print("  {:>5}  {}\n", i + 1, make_cell(spec, i).name);
-  if (count > kShown) fmt::print("  ... and {} more\n", with_commas(static_cast<long long>(count - kShown)));
+    print_out("  {:>5}  {}\n", i + 1, printable(make_cell(spec, i).name));
+  if (count > kShown) print_out("  ... and {} more\n", with_commas(static_cast<long long>(count - kShown)));
 }
 
 /// Runs one study; returns whether all of it worked.
@@ -82,30 +76,47 @@ bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
   options.folder = folder;
   options.fresh = arguments.fresh;
   options.fail_fast = arguments.fail_fast;
-  options.stop = &g_stop;
   options.on_progress = [&](const StudyProgress& progress) { line.show(progress); };
   const StudyResult result = run_study(pipeline, spec, options);
   line.finish(result.progress);
-  for (const fs::path& grid : result.grids) fmt::print("{}\n", grid.string());
-  for (const DrawnChart& chart : result.charts) fmt::print("{}\n", chart.png.string());
-  if (!result.page.empty()) fmt::print("{}\n", result.page.string());
-  std::fflush(stdout);
+  for (const fs::path& grid : result.grids) print_out("{}\n", grid.string());
+  for (const DrawnChart& chart : result.charts) print_out("{}\n", chart.png.string());
+  if (!result.page.empty()) print_out("{}\n", result.page.string());
+  flush_out();
   for (size_t i = 0; i < std::min<size_t>(result.failures.size(), 10); ++i) {
-    fmt::print(stderr, "inkbench: error: {}\n", result.failures[i]);
+    print_error("inkbench: error: {}\n", result.failures[i]);
   }
   if (result.progress.failed > 0) {
-    fmt::print(stderr, "inkbench: error: {} of {} cells failed; the same command tries them again\n",
-               result.progress.failed, result.progress.total);
+    print_error("inkbench: error: {} of {} cells failed; the same command tries them again\n",
+                result.progress.failed, result.progress.total);
   }
   if (result.stopped) {
-    fmt::print(stderr, "inkbench: error: stopped after {} of {} cells; the same command continues\n",
-               result.progress.done, result.progress.total);
+    print_error("inkbench: error: stopped after {} of {} cells; the same command continues\n",
+                result.progress.done, result.progress.total);
   }
   return result.failures.empty() && !result.stopped;
 }
 
+void verify(const StudyArguments& arguments) {
+  if (arguments.folder.empty())
+    throw input_error("study verify", "which folder?", "give the one that `inkbench study --out` wrote");
+  const StudyCheck check = verify_study(arguments.folder);
+  for (const std::string& problem : check.problems) print_out("{}\n", printable(problem));
+  const auto count = [](size_t number) { return with_commas(static_cast<long long>(number)); };
+  print_out("{}: {}, {} cells, {} files compared, {} problems\n", printable(arguments.folder), check.state,
+            count(check.cells), count(check.files), count(check.problems.size()));
+  if (check.problems.empty()) return;
+  exit_status() = fail(printable(arguments.folder) + ": is not what was written; the study's command makes " +
+                           "again what was changed",
+                       1);
+}
+
 void study(const StudyArguments& arguments) {
   if (arguments.spec == "list") return list_studies();
+  if (arguments.spec == "verify") return verify(arguments);
+  if (!arguments.folder.empty())
+    throw input_error(arguments.folder, "a second argument, which only verify takes",
+                      "give the folder with --out");
   const fs::path path = find_spec(arguments.spec);
   const bool is_folder = fs::is_directory(path);
   const std::vector<fs::path> paths = is_folder ? specs_in(path) : std::vector{path};
@@ -124,14 +135,12 @@ void study(const StudyArguments& arguments) {
   }
   if (arguments.dry_run) return;
 
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
   const HeadlessContext context;
   Pipeline pipeline;
   for (const StudySpec& spec : specs) {
     const bool ok = run_one(pipeline, spec, is_folder ? base / spec.path.stem() : base, arguments);
     if (!ok) exit_status() = 1;
-    if (!ok && (g_stop || arguments.fail_fast)) return;
+    if (!ok && (stop_asked() || arguments.fail_fast)) return;
   }
 }
 
@@ -148,8 +157,10 @@ void add_study_command(CLI::App& app) {
       app.add_subcommand("study", "Run a study: sweep parameters, write a grid, cells and a table");
   command
       ->add_option("SPEC", arguments->spec,
-                   "Spec file (TOML), a folder of them, a bundled study's name, or `list`")
+                   "Spec file (TOML), a folder of them, a bundled study's name, `list` or `verify`")
       ->required();
+  command->add_option("DIR", arguments->folder,
+                      "After `verify`: the folder of results to compare with its hashes");
   command->add_option("--out", arguments->out, "Folder for the results; out/<spec's name> without it");
   command
       ->add_option("--set", arguments->assignments,
@@ -165,8 +176,12 @@ void add_study_command(CLI::App& app) {
   command->add_flag("--fail-fast", arguments->fail_fast, "Stop at the first cell that fails");
   command->footer(
       "Examples:\n  inkbench study list\n  inkbench study studies/k_sweep.toml --out out/k_sweep\n"
+      "  inkbench study verify out/k_sweep\n"
       "  inkbench study studies/figures");
-  command->callback([arguments] { study(*arguments); });
+  command->callback([arguments] {
+    hear_signals();
+    study(*arguments);
+  });
 }
 
 }  // namespace inkbench

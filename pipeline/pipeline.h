@@ -119,6 +119,10 @@ class Pipeline {
   /// it for as long as it lives.
   Frame at(const Settings& settings, const Frame& previous);
 
+  /// Errors (work): frames of that size need more memory than there is, beyond what one drawn before has
+  /// taken. Graphics cards have memory of their own, which is not asked about.
+  void check_room(const ImageParams& image);
+
   /// Drops every pass's value and its memory, so that the next frame runs each pass it needs; meshes and
   /// programs stay, and so does what other pipelines left in the context's pool.
   void forget_results();
@@ -152,6 +156,7 @@ class Pipeline {
   PoolUser pool_user_;  ///< First, so that it ends last, after the nodes have given their textures back.
   Flow flow_;
   PerBuffer<Stage<Texture>> pictures_;
+  double drawn_px_ = 0;  ///< Of the largest frame for which there was room.
 };
 
 template <class Tag>

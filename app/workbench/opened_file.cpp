@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 #include "app/workbench/folder_listing.h"
 #include "app/workbench/presets.h"
@@ -39,12 +38,7 @@ void check_is_file(const fs::path& path) {
 }
 
 std::string head_of(const fs::path& path) {
-  std::string head(4096, '\0');
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw input_error(path.string(), "cannot be opened");
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<size_t>(stream.gcount()));
-  return head;
+  return read_file_part(path, 0, 4096);
 }
 
 /// By a signature that nothing else opens with. Other images are found by trying.
@@ -87,7 +81,7 @@ OpenedFile open_image(OpenedFile file) {
 }
 
 OpenedFile open_toml(OpenedFile file) {
-  const std::string text = read_file(file.path);
+  const std::string text = read_file(file.path, kMostTextBytes);
   if (text.size() > kMaxTomlBytes)
     throw input_error(file.path.string(), "is too large for a TOML file of inkbench");
   const TomlNode document = parse_toml(text, file.path.string());

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -83,9 +82,11 @@ std::string preset_text(const std::string& name, const Settings& settings) {
 }
 
 bool is_preset_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(kPresetMark.size(), '\0');
-  return stream.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kPresetMark;
+  try {
+    return read_file_part(file, 0, kPresetMark.size()) == kPresetMark;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 std::vector<std::string> PresetStore::list() const {

@@ -63,7 +63,7 @@ void save_ramp(const fs::path& path, const Ramp& ramp) {
 
 Ramp load_ramp(const fs::path& path) {
   if (path.extension() == ".toml")
-    return parse_ramp(parse_toml(read_file(path), path.string()), path.string());
+    return parse_ramp(parse_toml(read_file(path, kMostTextBytes), path.string()), path.string());
   Ramp ramp;
   ramp.image = fs::absolute(path).lexically_normal().string();
   ramp_table(ramp);  // it must be readable

@@ -30,7 +30,7 @@ std::vector<RecentStudy> load_recent_studies(const fs::path& file) {
   std::vector<RecentStudy> studies;
   std::error_code error;
   if (!fs::exists(file, error)) return studies;
-  const TomlNode document = parse_toml(read_file(file), file.string());
+  const TomlNode document = parse_toml(read_file(file, kMostTextBytes), file.string());
   const TomlReader toml(file.string());
   for (const TomlNode* study : toml.tables(document, "study")) {
     studies.push_back({needed_text(toml, *study, "title"), needed_text(toml, *study, "spec"),

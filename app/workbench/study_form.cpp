@@ -98,7 +98,7 @@ StudyDraft make_draft(const StudyForm& form, const Settings& settings, const fs:
 
 /// Grids carry their study's spec.
 std::string spec_text(const fs::path& file) {
-  const std::string text = read_file(file);
+  const std::string text = read_file(file, kMostTextBytes);
   return text.starts_with("\x89PNG") ? read_image_text(file, "inkbench:spec") : text;
 }
 

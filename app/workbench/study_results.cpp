@@ -4,9 +4,7 @@
 #include <sys/stat.h>
 
 #include <charconv>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -131,8 +129,9 @@ void StudyResults::forget_data() {
 }
 
 bool StudyResults::refresh() {
-  const bool changed = read_data();
+  bool changed = false;
   try {
+    changed = read_data();
     const nlohmann::json manifest = read_manifest(folder_);
     summary_ = summary_of(manifest);
     replaced_ = text_entry(manifest, "spec") != spec_text_;
@@ -151,12 +150,9 @@ bool StudyResults::read_data() {
   if (is_same && bytes == data_read_) return false;
   if (!is_same) forget_data();
   data_file_ = status.st_ino;
-  std::ifstream stream(path, std::ios::binary);
-  stream.seekg(static_cast<std::streamoff>(data_read_));
-  std::ostringstream text;
-  text << stream.rdbuf();
+  const std::string text = read_file_part(path, data_read_);
   size_t used = 0;
-  for (std::vector<std::string>& row : csv_rows(text.str(), used)) take_row(std::move(row));
+  for (std::vector<std::string>& row : csv_rows(text, used)) take_row(std::move(row));
   data_read_ += used;
   return used > 0 || !is_same;
 }

@@ -5,6 +5,8 @@
 #include <mutex>
 #include <utility>
 
+#include "pipeline/base/text.h"
+
 namespace inkbench {
 namespace {
 
@@ -25,7 +27,7 @@ void log_note(const std::string& text) {
   if (log_sink()) {
     log_sink()(text);
   } else {
-    std::fprintf(stderr, "inkbench: note: %s\n", text.c_str());
+    std::fprintf(stderr, "inkbench: note: %s\n", printable(text).c_str());
   }
 }
 

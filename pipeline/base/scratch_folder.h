@@ -3,6 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "pipeline/base/descriptor.h"
+#include "pipeline/base/forced_end.h"
 
 namespace inkbench {
 
@@ -14,8 +18,9 @@ fs::path temporary_place();
 /// A place in memory where the system has one, else `temporary_place`: for files written again and again.
 fs::path memory_place();
 
-/// A new, empty folder "inkbench_XXXXXX" inside `place`, open to its owner alone. It and whatever lies in it
-/// then are removed at the end of the object's life; what cannot be removed stays, without an error.
+/// A new, empty folder "inkbench_0123456789abcdef" inside `place`, open to its owner alone. It and whatever
+/// lies in it then are removed at the end of the object's life; what cannot be removed stays, without an
+/// error. What killed runs left in the place is removed first.
 class ScratchFolder {
  public:
   /// Errors (work): the folder cannot be made, and why.
@@ -28,6 +33,8 @@ class ScratchFolder {
 
  private:
   fs::path path_;
+  Descriptor lock_;
+  std::optional<ForcedEndAction> removal_;
 };
 
 }  // namespace inkbench

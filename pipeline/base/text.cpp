@@ -84,27 +84,64 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+namespace {
+
+/// The code point at the text's start and how many bytes it takes; none of 0 bytes where it is no UTF-8.
+struct CodePoint {
+  uint32_t value = 0;
+  size_t bytes = 0;
+};
+
+CodePoint first_code_point(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const size_t length = lead < 0x80 ? 1 : lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
+  if (length == 0 || length > text.size()) return {};
+  uint32_t point = length == 1 ? lead : lead & (0x7fU >> length);
+  for (size_t k = 1; k < length; ++k) {
+    const auto next = static_cast<unsigned char>(text[k]);
+    if (next >> 6 != 2) return {};
+    point = point << 6 | (next & 0x3f);
+  }
+  constexpr uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = point >= 0xd800 && point <= 0xdfff;
+  if (point < kSmallest[length] || point > 0x10ffff || surrogate) return {};
+  return {point, length};
+}
+
+/// Does a terminal do anything but show it? Controls, line and paragraph separators, and those that turn the
+/// direction of writing.
+bool is_control(uint32_t point) {
+  return point < 0x20 || (point >= 0x7f && point < 0xa0) || point == 0x2028 || point == 0x2029 ||
+         point == 0x200e || point == 0x200f || (point >= 0x202a && point <= 0x202e) ||
+         (point >= 0x2066 && point <= 0x2069);
+}
+
+}  // namespace
+
 bool is_utf8(std::string_view text) {
-  for (size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const size_t length = lead < 0x80       ? 1
-                          : lead >> 5 == 6  ? 2
-                          : lead >> 4 == 14 ? 3
-                          : lead >> 3 == 30 ? 4
-                                            : 0;
-    if (length == 0 || i + length > text.size()) return false;
-    uint32_t point = length == 1 ? lead : lead & (0x7fU >> length);
-    for (size_t k = 1; k < length; ++k) {
-      const auto next = static_cast<unsigned char>(text[i + k]);
-      if (next >> 6 != 2) return false;
-      point = point << 6 | (next & 0x3f);
-    }
-    constexpr uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
-    const bool surrogate = point >= 0xd800 && point <= 0xdfff;
-    if (point < kSmallest[length] || point > 0x10ffff || surrogate) return false;
-    i += length;
+  while (!text.empty()) {
+    const CodePoint point = first_code_point(text);
+    if (point.bytes == 0) return false;
+    text.remove_prefix(point.bytes);
   }
   return true;
+}
+
+std::string printable(std::string_view text, bool keep_lines) {
+  std::string result;
+  while (!text.empty()) {
+    const CodePoint point = first_code_point(text);
+    const bool is_kept = keep_lines && (text[0] == '\n' || text[0] == '\t');
+    if (point.bytes == 0) {
+      result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+    } else if (is_control(point.value) && !is_kept) {
+      result += fmt::format("\\u{:04x}", point.value);
+    } else {
+      result += text.substr(0, point.bytes);
+    }
+    text.remove_prefix(std::max<size_t>(point.bytes, 1));
+  }
+  return result;
 }
 
 std::string shell_word(const std::string& text) {

@@ -29,6 +29,11 @@ std::string lower_case(std::string text);
 /// Whether the bytes are UTF-8, which is all that TOML and image metadata can hold.
 bool is_utf8(std::string_view text);
 
+/// As it can be shown on a terminal without moving its cursor or changing its state: control characters and
+/// marks that turn the direction of writing become "\u001b", bytes that are no UTF-8 "\xff". Line breaks and
+/// tabs stay where `keep_lines`.
+std::string printable(std::string_view text, bool keep_lines = false);
+
 /// As one word of a POSIX shell's command line: as it is where it is plain, else in single quotes.
 std::string shell_word(const std::string& text);
 

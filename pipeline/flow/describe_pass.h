@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "pipeline/base/stop.h"
 #include "pipeline/flow/inputs.h"
 
 namespace inkbench {
@@ -116,6 +117,7 @@ class PassNode final : public Node<typename Tag::Value> {
     const auto values = std::apply(
         [&](const auto&... input) { return std::tuple<decltype(input.get(frame))...>{input.get(frame)...}; },
         inputs_);
+    stop_if_asked();
     memory_.make_room();
     const PassScope scope(flow_.observer(), this->name());
     return memory_.keep(

@@ -11,6 +11,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/memory_room.h"
 #include "pipeline/image/image_codecs.h"
 #include "pipeline/image/image_content.h"
 #include "pipeline/image/png_chunks.h"
@@ -67,7 +68,7 @@ void check_content(const fs::path& path, std::string_view content) {
 }
 
 OpenImage open_image(const fs::path& path) {
-  std::string content = read_file(path);
+  std::string content = read_file(path, kMostImageBytes);
   check_content(path, content);
   // Whatever moves, the decoder's view of the bytes must stay.
   OpenImage image{std::make_unique<const std::string>(std::move(content))};
@@ -79,10 +80,16 @@ OpenImage open_image(const fs::path& path) {
   return image;
 }
 
+/// Of the samples: what a decoder holds, what it hands over, and with other channels.
+constexpr double kCopies = 3;
+
 template <class Sample>
 ImageOf<Sample> decode(const fs::path& path, const OpenImage& image, SampleType type) {
   const ImageShape shape = image.shape();
   std::string problem;
+  const double samples = static_cast<double>(shape.width_px) * shape.height_px * shape.channels;
+  check_memory(kCopies * sizeof(Sample) * samples, path.string(),
+               fmt::format("reading {} x {} px", shape.width_px, shape.height_px), "choose a smaller image");
   try {
     ImageOf<Sample> result(shape.width_px, shape.height_px, shape.channels);
     if (image_codecs().decode(*image.decoder, type, result.samples.data(), problem)) return result;

@@ -76,12 +76,12 @@ std::string packed_well(const Room& bytes) {
 
 }  // namespace
 
-void write_png(const fs::path& path, const Picture& picture, const ImageText& text) {
+void write_png(const fs::path& path, const Picture& picture, const ImageText& text, Sync sync) {
   assert(picture.width_px > 0 && picture.height_px > 0);
   std::string file = png_head(picture.width_px, picture.height_px, picture.channels, text);
   file += make_png_chunk("IDAT", packed_well(filtered(picture)));
   file += make_png_chunk("IEND", "");
-  write_file_atomically(path, file);
+  write_file_atomically(path, file, sync);
 }
 
 struct PngStripWriter::State {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "pipeline/base/files.h"
 #include "pipeline/image/image.h"
 
 namespace inkbench {
@@ -18,7 +19,8 @@ using ImageText = std::map<std::string, std::string>;
 
 /// 8-bit PNG with 1, 3 or 4 channels (alpha not multiplied in). The same picture and text give the same
 /// bytes. Errors (work): as `write_file_atomically`.
-void write_png(const std::filesystem::path& path, const Picture& picture, const ImageText& text);
+void write_png(const std::filesystem::path& path, const Picture& picture, const ImageText& text,
+               Sync sync = Sync::now);
 
 /// A PNG written a strip of rows at a time, for pictures too large to hold; ten times as fast as `write_png`
 /// for files up to half again as large. Nothing stands under `path` until `finish`.

@@ -31,12 +31,12 @@ ReferenceLines LineFinder::find(const LineRequest& request, const StopAsked& sto
   free_unused(request);
   std::vector<SceneMesh> scene;
   for (const LineModel& model : request.models) {
-    if (stop && stop()) throw Stopped();
+    stop_if_asked(stop);
     const Part part = this->part(model, request.judge);
     scene.push_back(
         {part.drawn, model_matrix(model.params, part.full->bounds), model.object_id, &part.full->features});
   }
-  if (stop && stop()) throw Stopped();
+  stop_if_asked(stop);
   return reference_lines(scene, request.camera, request.depth, request.object_id);
 }
 

@@ -99,6 +99,16 @@ void check_names_differ(const Settings& settings) {
   }
 }
 
+/// Metadata, manifests and scene files hold UTF-8 alone: another name would read back as that of another
+/// file.
+void check_texts(const Settings& settings) {
+  for (const ConstParam& param : list_params(settings)) {
+    const std::string text = to_text(param.value());
+    if (!is_utf8(text))
+      throw input_error(param.key, "is not UTF-8: " + printable(text), "rename the file or its folder");
+  }
+}
+
 }  // namespace
 
 std::vector<ParamGroup> list_groups(Settings& settings) {
@@ -156,6 +166,7 @@ void apply_assignment(Settings& settings, const std::string& assignment) {
 }
 
 void check_settings(const Settings& settings) {
+  check_texts(settings);
   check_camera(settings.camera);
   check_names_differ(settings);
   for (const LightParams& light : settings.lights) {

@@ -33,7 +33,7 @@ Settings read_settings_file(const fs::path& path, std::vector<fs::path> open_fil
   }
   if (open_files.size() >= kMaxBaseDepth) throw input_error(path.string(), "`base` is nested too deeply");
   open_files.push_back(resolved);
-  const TomlNode document = parse_toml(read_file(path), path.string());
+  const TomlNode document = parse_toml(read_file(path, kMostTextBytes), path.string());
   return read_settings(document, {path.string(), path.parent_path(), open_files});
 }
 

@@ -2,11 +2,50 @@
 #include "studies/report/csv.h"
 
 #include <algorithm>
+#include <charconv>
+#include <utility>
 
 #include "pipeline/base/error.h"
 
 namespace inkbench {
 namespace {
+
+constexpr char kApostrophe = '\'';
+
+/// Is it one number, or several as in "[-1, 0, 0]" without its brackets?
+bool is_numbers(std::string_view field) {
+  bool any = false;
+  while (!field.empty()) {
+    const size_t end = std::min(field.find_first_of(" ,"), field.size());
+    std::string_view word = field.substr(0, end);
+    field.remove_prefix(std::min(end + 1, field.size()));
+    if (word.empty()) continue;
+    if (word.starts_with('+')) word.remove_prefix(1);
+    double value = 0;
+    const auto [at, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error == std::errc::invalid_argument || at != word.data() + word.size()) return false;
+    any = true;
+  }
+  return any;
+}
+
+/// Behind any apostrophes stands what a formula begins with.
+bool is_formula_behind_apostrophes(std::string_view field) {
+  const size_t first = field.find_first_not_of(kApostrophe);
+  return first != std::string_view::npos &&
+         std::string_view("=+-@\t\r").find(field[first]) != std::string_view::npos;
+}
+
+/// As it is written. Of the fields that begin with apostrophes and a formula all get one more, so that each
+/// reads back as it was.
+std::string guarded(const std::string& field) {
+  return is_formula_behind_apostrophes(field) && !is_numbers(field) ? kApostrophe + field : field;
+}
+
+std::string unguarded(std::string field) {
+  if (field.starts_with(kApostrophe) && is_formula_behind_apostrophes(field)) field.erase(0, 1);
+  return field;
+}
 
 /// Takes the field at the start of `rest`, its quotes off; returns the character that ended it, 0 at the end.
 char take_field(std::string_view& rest, std::string& field) {
@@ -24,6 +63,7 @@ char take_field(std::string_view& rest, std::string& field) {
       field += c;
     }
   }
+  field = unguarded(std::move(field));
   const char end = at < rest.size() ? rest[at] : '\0';
   rest.remove_prefix(std::min(at + 1, rest.size()));
   return end;
@@ -40,8 +80,9 @@ std::vector<std::string> take_row(std::string_view& rest) {
 
 std::string csv_line(std::span<const std::string> fields) {
   std::string line;
-  for (const std::string& field : fields) {
-    if (!line.empty() || &field != fields.data()) line += ',';
+  for (size_t i = 0; i < fields.size(); ++i) {
+    const std::string field = guarded(fields[i]);
+    if (i > 0) line += ',';
     if (field.find_first_of(",\"\r\n") == std::string::npos) {
       line += field;
       continue;

@@ -9,7 +9,9 @@
 
 namespace inkbench {
 
-/// One line with its end; fields with commas, quotes or line breaks are quoted.
+/// One line with its end; fields with commas, quotes or line breaks are quoted. A field that a spreadsheet
+/// would take for a formula, since it begins with =, +, -, @ or a tab and is not made of numbers, gets an
+/// apostrophe in front, which reading takes away.
 std::string csv_line(std::span<const std::string> fields);
 
 /// A whole file, its head apart. Every row has as many fields as there are columns.

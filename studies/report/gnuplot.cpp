@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/stop.h"
 #include "pipeline/base/text.h"
 #include "studies/report/chart_text.h"
 
@@ -27,7 +29,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr size_t kMostOutput = 64 << 10;
 constexpr std::chrono::milliseconds kPause{2};
-constexpr size_t kMostSaid = 400;  ///< Characters of an error message.
+constexpr std::chrono::milliseconds kMostWait{100};  ///< Until it is asked again whether to stop.
+constexpr size_t kMostSaid = 400;                    ///< Characters of an error message.
 
 /// A program with its output in a pipe, in a process group of its own. It is killed where it still runs at
 /// the end.
@@ -57,15 +60,17 @@ class Child {
     }
   }
 
-  /// All that it writes until it closes its output; false where that took too long.
+  /// All that it writes until it closes its output; false where that took too long. Throws `Stopped`.
   bool read_all(Clock::time_point deadline, std::string& text) const {
     std::array<char, 4096> block;
     while (true) {
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
       pollfd wait{output_, POLLIN, 0};
-      const int ready = left <= 0 ? 0 : poll(&wait, 1, static_cast<int>(left));
-      if (ready < 0 && errno == EINTR) continue;
-      if (ready <= 0) return false;
+      if (left <= 0) return false;
+      const int ready = poll(&wait, 1, static_cast<int>(std::min<long long>(left, kMostWait.count())));
+      stop_if_asked();
+      if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
+      if (ready < 0) return false;
       const ssize_t count = read(output_, block.data(), block.size());
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) return true;
@@ -85,6 +90,7 @@ class Child {
       if (ended < 0 && errno != EINTR)
         throw work_error("", "a process cannot be waited for", std::strerror(errno));
       if (Clock::now() > deadline) return std::nullopt;
+      stop_if_asked();
       std::this_thread::sleep_for(kPause);
     }
   }

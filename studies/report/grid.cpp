@@ -7,6 +7,7 @@
 #include <future>
 #include <utility>
 
+#include "pipeline/base/stop.h"
 #include "studies/report/grid_plan.h"
 #include "studies/report/scaling.h"
 
@@ -109,6 +110,7 @@ class SheetPainter {
     const int x = slot.x_px, y = slot.y_px - top_, frame = plan_.frame_px;
     fill(strip_, x - frame, y - frame, plan_.cell_width_px + 2 * frame, plan_.cell_height_px + 2 * frame,
          kFrameGrey);
+    stop_if_asked();
     const std::optional<Picture> picture = cell_(slot.column, slot.row, sheet_.page);
     if (!picture) {
       paste(strip_, failed(), x, y);

@@ -12,6 +12,7 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/key.h"
+#include "pipeline/base/stop.h"
 #include "pipeline/image/image_file.h"
 #include "studies/report/page.h"
 #include "studies/sweep/number_columns.h"
@@ -79,7 +80,7 @@ fs::path CellTiles::path_of(size_t cell, size_t shown, const std::string& hash) 
 void CellTiles::write(const fs::path& path, const KeptPicture& kept) {
   if (!can_write_) return;
   try {
-    write_file_atomically(path, bytes_of(kept));
+    write_file_atomically(path, bytes_of(kept), Sync::later);
   } catch (const Error&) {
     can_write_ = false;  // the picture itself is there, and can be decoded
   }
@@ -94,6 +95,7 @@ void CellTiles::keep_missing(const StudyFolder& folder) {
   WorkerPool workers(threads, threads);
   std::error_code error;
   for (const size_t cell : folder.done_cells()) {
+    stop_if_asked();
     const std::vector<FileRecord> pictures = folder.pictures(cell);
     for (size_t shown = 0; shown < pictures.size(); ++shown) {
       const FileRecord& file = pictures[shown];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a study has finished, one line a cell, appended as cells end. It decides what a later run trusts:
-// pictures and numbers count only if their key is still that of its line, and the size and hash of each file.
+// pictures and numbers count only if their line bears the hash of itself, their key is still that of the
+// line, and the size and hash of each file are.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +10,10 @@
 #include <vector>
 
 #include "pipeline/base/key.h"
+#include "studies/sweep/file_record.h"
 #include "studies/sweep/result_origin.h"
 
 namespace inkbench {
-
-struct FileRecord {
-  std::string name;  ///< Relative to the study's folder.
-  uint64_t bytes = 0;
-  std::string hash;
-};
 
 struct CellRecord {
   size_t index = 0;
@@ -29,16 +25,17 @@ struct CellRecord {
   std::vector<FileRecord> overlays;  ///< The reference lines of each view, where they were found.
 };
 
-/// The record of a file as it lies on the disk. Errors (input): it cannot be read.
-FileRecord record_file(const std::filesystem::path& folder, const std::string& name);
+struct Journal {
+  std::map<size_t, CellRecord> cells;  ///< Of two lines of a cell the later counts.
+  std::vector<size_t> damaged;         ///< The numbers, from 1, of lines that are not what was written.
+  size_t older = 0;                    ///< Lines of an inkbench that wrote no hash: they do not count.
+};
 
+/// With its hash as the last entry, and its end.
 std::string journal_line(const CellRecord& record);
 
-/// All whole lines of a journal; a torn last line or a damaged one is left out. A line of an older inkbench
-/// has no origin and no key of numbers. Empty where there is no journal.
-std::map<size_t, CellRecord> read_journal(const std::filesystem::path& path);
-
-/// Whether the files are all there, unchanged.
-bool files_intact(const std::filesystem::path& folder, const std::vector<FileRecord>& files);
+/// A last line without its end was torn by a kill: it does not count, and is no damage. Empty where there is
+/// no journal.
+Journal read_journal(const std::filesystem::path& path);
 
 }  // namespace inkbench

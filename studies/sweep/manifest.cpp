@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/manifest.h"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -9,6 +11,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
 #include "pipeline/settings/settings_file.h"
+#include "studies/sweep/file_record.h"
 
 namespace inkbench {
 
@@ -30,6 +33,43 @@ std::string study_command(const StudySpec& spec) {
   return command;
 }
 
+namespace {
+
+/// All that a run has written besides the pictures, which the journal knows.
+std::vector<FileRecord> written_files(const fs::path& folder, const StudyResult& result) {
+  std::vector<fs::path> paths{folder / "data.csv", folder / "journal.jsonl"};
+  paths.insert(paths.end(), result.grids.begin(), result.grids.end());
+  for (const DrawnChart& chart : result.charts)
+    paths.insert(paths.end(), {chart.script, chart.svg, chart.png});
+  if (!result.page.empty()) paths.push_back(result.page);
+  std::vector<FileRecord> files;
+  for (const fs::path& path : paths)
+    files.push_back(record_file(folder, path.lexically_relative(folder).string()));
+  return files;
+}
+
+/// Puts `to` over the text `from`, which is as long, in the open file. False where it is not there.
+bool replace_in_place(const Descriptor& file, const std::string& content, std::string_view from,
+                      std::string_view to) {
+  const size_t at = content.find(from);
+  if (at == std::string::npos) return false;
+  return pwrite(file.number(), to.data(), to.size(), static_cast<off_t>(at)) ==
+         static_cast<ssize_t>(to.size());
+}
+
+}  // namespace
+
+void mark_stopped(const fs::path& folder) noexcept {
+  try {
+    const fs::path path = folder / "manifest.json";
+    const Descriptor file(open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC));
+    const std::string content = read_file(path);
+    if (!replace_in_place(file, content, R"("state": "running")", R"("state": "stopped")"))
+      replace_in_place(file, content, R"("state": "finished")", R"("state": "stopped" )");
+  } catch (const std::exception&) {
+  }
+}
+
 void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyResult& result,
                     const std::string& state) {
   const RendererInfo renderer = renderer_info();
@@ -49,6 +89,7 @@ void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyRe
       {"versions", versions},
       {"cells", result.progress.total},
       {"failures", result.failures},
+      {"files", json_of(state == "running" ? std::vector<FileRecord>() : written_files(folder, result))},
       {"grids", grids},
       {"charts", charts},
       {"spec_file", spec.path.filename().string()},

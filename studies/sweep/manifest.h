@@ -19,9 +19,14 @@ std::vector<std::pair<std::string, std::string>> study_versions();
 /// folder where the spec lies in it.
 std::string study_command(const StudySpec& spec);
 
-/// Writes `folder/manifest.json`. `state` is "running", "finished" or "stopped"; times stand under "times"
-/// alone, so that all else is the same for the same study.
+/// Writes `folder/manifest.json`, with the hashes of what else lies in the folder besides cells once `state`
+/// is not "running". `state` is "running", "finished" or "stopped"; times stand under "times" alone, so that
+/// all else is the same for the same study.
 void write_manifest(const std::filesystem::path& folder, const StudySpec& spec, const StudyResult& result,
                     const std::string& state);
+
+/// Makes the manifest's state "stopped" in its place, which needs no room on a disk and nothing but the
+/// folder. What cannot be done stays undone.
+void mark_stopped(const std::filesystem::path& folder) noexcept;
 
 }  // namespace inkbench

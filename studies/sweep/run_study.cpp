@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <set>
 #include <thread>
@@ -13,7 +14,9 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/forced_end.h"
 #include "pipeline/base/log.h"
+#include "pipeline/base/stop.h"
 #include "pipeline/export.h"
 #include "pipeline/lines/drawing.h"
 #include "pipeline/passes/lines/reference.h"
@@ -29,6 +32,8 @@
 
 namespace inkbench {
 namespace {
+
+constexpr const char* kOutOfMemory = "out of memory; choose smaller images or meshes";
 
 /// What was drawn of one view of a cell, on its way to the disk.
 struct DrawnView {
@@ -61,6 +66,18 @@ class StudyRun {
   }
 
   StudyResult run() {
+    const ForcedEndAction at_forced_end([folder = folder_.path()] { mark_stopped(folder); });
+    try {
+      return run_to_the_end();
+    } catch (...) {
+      write_stopped();
+      throw;
+    }
+  }
+
+ private:
+  StudyResult run_to_the_end() {
+    pipeline_.check_room(spec_.base.image);
     write_manifest(folder_.path(), spec_, result_, "running");
     draw_cells();
     if (fatal_) std::rethrow_exception(fatal_);
@@ -68,17 +85,27 @@ class StudyRun {
     std::sort(failures_.begin(), failures_.end());
     for (const auto& [index, text] : failures_) result_.failures.push_back(text);
     pipeline_.forget_results();  // room for the grid, so that it does not set the study's peak
-    if (!result_.stopped) write_report();
+    if (!result_.stopped) write_report_or_stop();
     result_.progress.seconds = seconds();
     write_manifest(folder_.path(), spec_, result_, result_.stopped ? "stopped" : "finished");
     return std::move(result_);
   }
 
- private:
+  /// After a failure, of which a full disk is the likeliest.
+  void write_stopped() noexcept {
+    try {
+      write_manifest(folder_.path(), spec_, result_, "stopped");
+    } catch (const std::exception&) {
+      mark_stopped(folder_.path());
+    }
+  }
+
   std::vector<CellKeys> all_keys() {
     std::vector<CellKeys> keys;
-    for (size_t i = 0; i < cell_count(spec_); ++i)
+    for (size_t i = 0; i < cell_count(spec_); ++i) {
+      stop_if_asked();
       keys.push_back(cell_keys(pipeline_, spec_, make_cell(spec_, i), origin_));
+    }
     return keys;
   }
 
@@ -88,8 +115,16 @@ class StudyRun {
 
   bool should_stop() const {
     const std::lock_guard lock(mutex_);
-    return fatal_ || (options_.stop != nullptr && *options_.stop) ||
+    return fatal_ || stop_asked() || (options_.stop != nullptr && *options_.stop) ||
            (options_.fail_fast && result_.progress.failed > 0);
+  }
+
+  void write_report_or_stop() {
+    try {
+      write_report();
+    } catch (const Stopped&) {
+      result_.stopped = true;
+    }
   }
 
   void write_report() {
@@ -119,8 +154,13 @@ class StudyRun {
       try {
         auto drawn = std::make_shared<DrawnView>(draw(place));
         encoders.add([this, drawn] { store(*drawn); });
+      } catch (const Stopped&) {
+        result_.stopped = true;
+        break;
       } catch (const Error& error) {
         fail(place.cell, error.what());
+      } catch (const std::bad_alloc&) {
+        fail(place.cell, kOutOfMemory);
       }
     }
     encoders.wait();
@@ -154,7 +194,7 @@ class StudyRun {
   std::string write_overlay(const Frame& frame) {
     const std::string name = "reference/" + frame.key(BufferName::reference).text().substr(0, 16) + ".svg";
     if (overlays_.contains(name)) return name;
-    write_file_atomically(folder_.path() / name, reference_svg(*frame.value<ReferencePass>()));
+    write_file_atomically(folder_.path() / name, reference_svg(*frame.value<ReferencePass>()), Sync::later);
     overlays_.insert(name);
     return name;
   }
@@ -166,7 +206,7 @@ class StudyRun {
       for (size_t i = 0; i < drawn.pictures.size(); ++i) {
         const std::string file = folder_.cell_file(index, drawn.place.view, spec_.show[i]);
         write_png(folder_.path() / file, drawn.pictures[i],
-                  export_text(drawn.settings, spec_.show[i], drawn.files));
+                  export_text(drawn.settings, spec_.show[i], drawn.files), Sync::later);
         tiles_.keep(index, drawn.place.view * spec_.show.size() + i, drawn.pictures[i],
                     record_file(folder_.path(), file).hash);
       }
@@ -176,6 +216,8 @@ class StudyRun {
       }
     } catch (const Error& error) {
       fail(index, error.what());
+    } catch (const std::bad_alloc&) {
+      fail(index, kOutOfMemory);
     }
   }
 

@@ -8,6 +8,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/stop.h"
 #include "pipeline/base/text.h"
 #include "pipeline/mesh/formats/mesh_file.h"
 
@@ -93,6 +94,7 @@ Settings view_settings(const StudySpec& spec, const Cell& cell, size_t view) {
 void check_cells(const StudySpec& spec) {
   std::set<std::string> seen;
   for (size_t i = 0; i < cell_count(spec) * view_count(spec); ++i) {
+    stop_if_asked();
     const Cell cell = make_cell(spec, i / view_count(spec));
     const size_t view = i % view_count(spec);
     const Settings settings = view_settings(spec, cell, view);

@@ -182,7 +182,9 @@ class SpecReader {
 }  // namespace
 
 StudySpec load_spec(const fs::path& path, const std::vector<std::string>& assignments) {
-  return parse_spec(read_file(path), path, assignments);
+  if (!is_utf8(path.string()))
+    throw input_error(path.string(), "has a name that is not UTF-8", "rename the file");
+  return parse_spec(read_file(path, kMostTextBytes), path, assignments);
 }
 
 StudySpec parse_spec(const std::string& text, const fs::path& name,

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -21,6 +22,11 @@
 
 namespace inkbench {
 namespace {
+
+constexpr const char* kJournal = "journal.jsonl";
+constexpr const char* kData = "data.csv";
+/// Pictures are waited for until they are on the disk this many at a time: one by one would halve the rate.
+constexpr size_t kMostUnsynced = 64;
 
 /// Whether a file in cells/ is named as a study's cell: "0001_final.png".
 bool is_cell_name(const std::string& name) {
@@ -105,15 +111,20 @@ StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Cel
       origin_(std::move(origin)),
       varied_(varied_keys(spec)),
       numbers_(number_columns(spec)) {
-  make_folder(folder_ / "cells");
-  if (finds_lines(spec_)) make_folder(folder_ / "reference");
-  if (!fresh) take_records(read_journal(folder_ / "journal.jsonl"));
+  make_inner_folder(folder_ / "cells");
+  make_inner_folder(folder_ / "tiles");
+  if (finds_lines(spec_)) make_inner_folder(folder_ / "reference");
+  if (!spec_.charts.empty()) make_inner_folder(folder_ / "charts");
+  if (!fresh) take_journal(read_journal(folder_ / kJournal));
   remove_stale_files();
   rewrite();
 }
 
-void StudyFolder::take_records(std::map<size_t, CellRecord>&& records) {
-  for (auto& [index, record] : records) {
+void StudyFolder::take_journal(Journal&& journal) {
+  if (journal.older > 0)
+    drawn_again_["an older inkbench drew them, which wrote no check sums"] = journal.older;
+  if (!journal.damaged.empty()) drawn_again_["the journal's line is damaged"] = journal.damaged.size();
+  for (auto& [index, record] : journal.cells) {
     if (index >= keys_.size()) continue;
     if (const std::string problem = picture_problem(record); !problem.empty()) {
       ++drawn_again_[problem];
@@ -272,12 +283,12 @@ void StudyFolder::rewrite() const {
   }
   std::string journal;
   for (const auto& [index, record] : records) journal += journal_line(*record);
-  write_file_atomically(folder_ / "journal.jsonl", journal);
-  write_file_atomically(folder_ / "data.csv", data_text());
+  write_file_atomically(folder_ / kJournal, journal);
+  write_file_atomically(folder_ / kData, data_text());
 }
 
 void StudyFolder::append(const fs::path& path, const std::string& line) const {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  const int descriptor = open(path.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
   const ssize_t written = descriptor < 0 ? -1 : write(descriptor, line.data(), line.size());
   const int number = errno;
   if (descriptor >= 0) close(descriptor);
@@ -298,24 +309,43 @@ void StudyFolder::add(size_t index, std::vector<std::string> numbers,
   if (work(index) == CellWork::draw) {
     for (const std::string& file : picture_files(index)) record.files.push_back(record_file(folder_, file));
   }
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
   if (const auto drawn = unmeasured_.find(index); drawn != unmeasured_.end()) {
     record.files = std::move(drawn->second.files);
     unmeasured_.erase(drawn);
   }
-  append(folder_ / "data.csv", csv_line(row(index, record.numbers, "")));
-  append(folder_ / "journal.jsonl", journal_line(record));
+  append(folder_ / kData, csv_line(row(index, record.numbers, "")));
+  append(folder_ / kJournal, journal_line(record));
+  for (const auto* files : {&record.files, &record.overlays}) {
+    for (const FileRecord& file : *files) unsynced_.insert(file.name);
+  }
   done_[index] = std::move(record);
+  if (unsynced_.size() < kMostUnsynced) return;
+  const std::set<std::string> batch = std::exchange(unsynced_, {});
+  lock.unlock();  // others go on meanwhile
+  sync(batch);
+}
+
+void StudyFolder::sync(const std::set<std::string>& files) const {
+  std::set<fs::path> folders;
+  for (const std::string& file : files) {
+    sync_path(folder_ / file);
+    folders.insert((folder_ / file).parent_path());
+  }
+  for (const fs::path& folder : folders) sync_path(folder);
+  sync_path(folder_ / kJournal);
+  sync_path(folder_ / kData);
 }
 
 void StudyFolder::add_failure(size_t index, const std::string& message) {
   const std::lock_guard lock(mutex_);
   failed_[index] = message;
-  append(folder_ / "data.csv", csv_line(row(index, {}, message)));
+  append(folder_ / kData, csv_line(row(index, {}, message)));
 }
 
 void StudyFolder::finish() {
   const std::lock_guard lock(mutex_);
+  sync(std::exchange(unsynced_, {}));
   rewrite();
 }
 

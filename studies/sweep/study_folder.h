@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -78,7 +79,7 @@ class StudyFolder {
 
  private:
   /// Sorts the records of an earlier run into `done_`, `unmeasured_` and those that are dropped.
-  void take_records(std::map<size_t, CellRecord>&& records);
+  void take_journal(Journal&& journal);
   /// Why the pictures or the numbers do not count; "" where they do.
   std::string picture_problem(const CellRecord& record) const;
   std::string number_problem(const CellRecord& record) const;
@@ -87,6 +88,8 @@ class StudyFolder {
   std::string data_text() const;
   void remove_stale_files() const;
   void rewrite() const;
+  /// Waits until the files, and what was written of them, are on the disk.
+  void sync(const std::set<std::string>& files) const;
   void append(const std::filesystem::path& path, const std::string& line) const;
 
   const StudySpec& spec_;
@@ -101,6 +104,7 @@ class StudyFolder {
   std::map<std::string, size_t> drawn_again_;  ///< Cells by the reason.
   std::map<std::string, size_t> measured_again_;
   std::map<size_t, std::string> failed_;
+  std::set<std::string> unsynced_;  ///< Pictures and overlays that may not be on the disk yet.
   mutable std::mutex mutex_;
 };
 

@@ -30,6 +30,7 @@ void WorkerPool::add(std::function<void()> work) {
 void WorkerPool::wait() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return queue_.empty() && busy_ == 0; });
+  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
 void WorkerPool::serve() {
@@ -43,8 +44,14 @@ void WorkerPool::serve() {
     ++busy_;
     changed_.notify_all();
     lock.unlock();
-    work();
+    std::exception_ptr thrown;
+    try {
+      work();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
     lock.lock();
+    if (thrown && !thrown_) thrown_ = thrown;
     --busy_;
     changed_.notify_all();
   }

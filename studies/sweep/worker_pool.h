@@ -5,6 +5,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -20,9 +21,9 @@ class WorkerPool {
   /// Waits for all work.
   ~WorkerPool();
 
-  /// Waits while the queue is full. The work must not throw.
+  /// Waits while the queue is full.
   void add(std::function<void()> work);
-  /// Returns when all work added so far has ended.
+  /// Returns when all work added so far has ended. Throws what the first work that failed threw.
   void wait();
 
  private:
@@ -34,6 +35,7 @@ class WorkerPool {
   size_t queue_limit_;
   size_t busy_ = 0;
   bool closing_ = false;
+  std::exception_ptr thrown_;
   std::vector<std::thread> threads_;
 };
 

@@ -66,14 +66,14 @@ FinishedStudy& finished_study() {
 
 /// A record that was read is written as a line that reads back equal.
 void check_lines(const fs::path& journal) {
-  const std::map<size_t, CellRecord> records = read_journal(journal);
+  const std::map<size_t, CellRecord> records = read_journal(journal).cells;
   std::string text;
   for (const auto& [index, record] : records) {
     require(record.index == index);
     text += journal_line(record);
   }
   write_file_atomically(journal, text);
-  const std::map<size_t, CellRecord> again = read_journal(journal);
+  const std::map<size_t, CellRecord> again = read_journal(journal).cells;
   require(again.size() == records.size());
   for (const auto& [index, record] : records) require(journal_line(again.at(index)) == journal_line(record));
 }

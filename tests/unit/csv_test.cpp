@@ -73,5 +73,27 @@ TEST(Csv, a_column_is_found_by_its_name) {
   EXPECT_EQ(error_of([&] { table.column("f"); }, ErrorKind::work), "the table has no column f");
 }
 
+TEST(Csv, text_that_a_spreadsheet_would_take_for_a_formula_is_guarded_and_numbers_are_not) {
+  const auto written = [](const std::string& field) {
+    const std::string line = csv_line(std::array{field});
+    return line.substr(0, line.size() - 1);
+  };
+  EXPECT_EQ(written("=1+1"), "'=1+1");
+  EXPECT_EQ(written("@SUM(A1)"), "'@SUM(A1)");
+  EXPECT_EQ(written("+cmd|' /C calc'!A0"), "'+cmd|' /C calc'!A0");
+  EXPECT_EQ(written("-2+3"), "'-2+3");
+  EXPECT_EQ(written("-"), "'-");
+  EXPECT_EQ(written("=HYPERLINK(\"x\",\"y\")"), "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\"");
+  for (const char* number : {"-0.5", "+1", "-1e-07", "-inf", "-nan", "0", "-1 0 0.5"})
+    EXPECT_EQ(written(number), number);
+}
+
+TEST(Csv, guarded_fields_read_back_as_they_were) {
+  for (const std::string field : {"=1", "'=1", "''=1", "'x", "'", "-0.5", "'-0.5", "\t=", "", "a=b"}) {
+    size_t used = 0;
+    EXPECT_EQ(csv_rows(csv_line(std::array{field, field}), used)[0], (std::vector{field, field})) << field;
+  }
+}
+
 }  // namespace
 }  // namespace inkbench

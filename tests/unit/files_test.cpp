@@ -161,6 +161,80 @@ TEST(Files, reading_says_what_is_wrong_with_the_path) {
   EXPECT_EQ(error_of([] { read_file("/dev/zero"); }), "/dev/zero: is a device; a file is needed");
 }
 
+TEST(Files, a_pipe_is_refused_without_waiting_for_a_writer) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(error_of([&] { read_file(pipe); }), pipe.string() + ": is not a regular file; a file is needed");
+}
+
+TEST(Files, a_file_that_holds_more_than_the_system_says_is_refused) {
+  EXPECT_EQ(
+      error_of([] { read_file("/proc/self/status"); }),
+      "/proc/self/status: its size is 0 bytes, but more were read; it changed meanwhile, or is no file on "
+      "a disk: copy it to one");
+}
+
+TEST(Files, a_file_that_the_system_cannot_read_is_our_error_and_not_a_shorter_file) {
+  // Reading a process's memory at address 0 is EIO.
+  EXPECT_EQ(error_of([] { read_file("/proc/self/mem"); }, ErrorKind::work),
+            "/proc/self/mem: reading stopped after 0 of 0 bytes; Input/output error");
+}
+
+TEST(Files, more_than_the_limit_is_not_read) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("scene.toml", std::string(1001, ' '));
+  EXPECT_EQ(read_file(file, 1001).size(), 1001U);
+  EXPECT_EQ(error_of([&] { read_file(file, 1000); }),
+            file.string() + ": is too large: 1.0 kB; at most 1.0 kB are read");
+}
+
+TEST(Files, a_part_is_read_as_far_as_there_is_one) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("file", "0123456789");
+  EXPECT_EQ(read_file_part(file, 3, 4), "3456");
+  EXPECT_EQ(read_file_part(file, 8, 4), "89");
+  EXPECT_EQ(read_file_part(file, 12, 4), "");
+}
+
+TEST(Files, temporary_names_differ_and_a_planted_link_is_not_followed) {
+  const TemporaryFolder folder;
+  PendingFile first(folder.path() / "file"), second(folder.path() / "file");
+  const std::vector<std::string> names = names_in(folder.path());
+  ASSERT_EQ(names.size(), 2U);
+  EXPECT_GE(names[0].size(), std::string("file.part").size() + 16) << "too short to be beyond guessing";
+  folder.write("elsewhere", "theirs");
+  fs::create_symlink("elsewhere", folder.path() / "file");
+  second.append(bytes_of("ours"));
+  second.commit();
+  EXPECT_FALSE(fs::is_symlink(folder.path() / "file"));
+  EXPECT_EQ(read_file(folder.path() / "elsewhere"), "theirs");
+}
+
+TEST(Files, what_a_killed_writer_left_is_removed_and_what_a_living_one_writes_is_not) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png.part0123456789abcdef", "b.csv.part812-3", "c.part", "d.part12",
+                           "e.partly-1", "f.part0123456789abcdeX"})
+    folder.write(name, "x");
+  fs::create_symlink("d.part12", folder.path() / "g.part0123456789abcdef");
+  PendingFile living(folder.path() / "h");
+  remove_abandoned_files(folder.path());
+  EXPECT_THAT(names_in(folder.path()),
+              UnorderedElementsAre("c.part", "d.part12", "e.partly-1", "f.part0123456789abcdeX",
+                                   "g.part0123456789abcdef", StartsWith("h.part")));
+  living.append(bytes_of("whole"));
+  living.commit();
+  EXPECT_EQ(read_file(folder.path() / "h"), "whole");
+}
+
+TEST(Files, a_folder_of_ours_that_is_a_link_is_an_error) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "elsewhere");
+  fs::create_symlink("elsewhere", folder.path() / "cells");
+  EXPECT_THAT(error_of([&] { make_inner_folder(folder.path() / "cells"); }, ErrorKind::work),
+              HasSubstr("cells: is a link, and results are not written through one; remove it"));
+}
+
 TEST(Files, make_folder_accepts_one_that_exists) {
   const TemporaryFolder folder;
   make_folder(folder.path() / "a" / "b");

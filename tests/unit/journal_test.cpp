@@ -24,15 +24,16 @@ CellRecord record(size_t index) {
           .overlays = {{"reference/a.svg", 3, "other"}}};
 }
 
-class Journal : public ::testing::Test {
+class JournalFile : public ::testing::Test {
  protected:
-  std::map<size_t, CellRecord> read(const std::string& content) {
+  Journal read_all(const std::string& content) {
     return read_journal(folder_.write("journal.jsonl", content));
   }
+  std::map<size_t, CellRecord> read(const std::string& content) { return read_all(content).cells; }
   const TemporaryFolder folder_;
 };
 
-TEST_F(Journal, lines_read_back_as_written) {
+TEST_F(JournalFile, lines_read_back_as_written) {
   CellRecord awkward = record(7);
   awkward.numbers = {"a \"b\"\n\\", "caf\xc3\xa9", ""};
   awkward.files = {{"one", 0, ""}, {"two, \"three\"", 18'446'744'073'709'551'615ULL, "h"}};
@@ -51,14 +52,14 @@ TEST_F(Journal, lines_read_back_as_written) {
   EXPECT_EQ(records.at(7).files[1].hash, "h");
 }
 
-TEST_F(Journal, a_record_is_one_line) {
+TEST_F(JournalFile, a_record_is_one_line) {
   CellRecord awkward = record(1);
   awkward.numbers = {"two\nlines"};
   const std::string line = journal_line(awkward);
   EXPECT_EQ(line.find('\n'), line.size() - 1);
 }
 
-TEST_F(Journal, a_torn_last_line_is_left_out_wherever_it_was_torn) {
+TEST_F(JournalFile, a_torn_last_line_is_left_out_wherever_it_was_torn) {
   const std::string whole = journal_line(record(0));
   const std::string torn = journal_line(record(1));
   for (size_t size = 0; size + 1 < torn.size(); ++size) {
@@ -68,7 +69,7 @@ TEST_F(Journal, a_torn_last_line_is_left_out_wherever_it_was_torn) {
   }
 }
 
-TEST_F(Journal, garbage_is_left_out_and_what_follows_is_read) {
+TEST_F(JournalFile, garbage_is_left_out_and_what_follows_is_read) {
   for (const std::string& garbage :
        {std::string("garbage"), std::string("{}"), std::string("[]"), std::string("null"), std::string("3"),
         std::string(), std::string("{\"cell\":\"0\",\"key\":\"k\",\"numbers\":[],\"files\":[]}"),
@@ -90,27 +91,42 @@ TEST_F(Journal, garbage_is_left_out_and_what_follows_is_read) {
   }
 }
 
-TEST_F(Journal, lines_of_before_have_no_origin) {
-  const auto records = read(R"({"cell":5,"key":"k","numbers":["1"],"files":[]})"
-                            "\n");
-  ASSERT_EQ(records.size(), 1U);
-  EXPECT_EQ(records.at(5).numbers_key, "");
-  EXPECT_EQ(records.at(5).origin, ResultOrigin{});
+TEST_F(JournalFile, a_line_does_not_count_once_any_of_its_characters_is_another) {
+  const std::string line = journal_line(record(3));
+  for (size_t i = 0; i + 1 < line.size(); ++i) {
+    std::string changed = line;
+    changed[i] = changed[i] == '7' ? '8' : '7';
+    const Journal journal = read_all(changed + journal_line(record(4)));
+    EXPECT_THAT(journal.damaged, ElementsAre(1U)) << "character " << i;
+    EXPECT_EQ(journal.cells.size(), 1U);
+  }
 }
 
-TEST_F(Journal, of_two_lines_of_a_cell_the_later_counts) {
+TEST_F(JournalFile, a_torn_last_line_is_no_damage) {
+  const std::string line = journal_line(record(3));
+  EXPECT_TRUE(read_all(line.substr(0, line.size() - 9)).damaged.empty());
+}
+
+TEST_F(JournalFile, lines_of_before_without_a_hash_are_counted_and_not_taken) {
+  const Journal journal = read_all(R"({"cell":5,"key":"k","numbers":["1"],"files":[]})"
+                                   "\n");
+  EXPECT_EQ(journal.older, 1U);
+  EXPECT_TRUE(journal.cells.empty());
+}
+
+TEST_F(JournalFile, of_two_lines_of_a_cell_the_later_counts) {
   CellRecord later = record(0);
   later.key = "later";
   EXPECT_EQ(read(journal_line(record(0)) + journal_line(later)).at(0).key, "later");
 }
 
-TEST_F(Journal, none_is_empty) {
-  EXPECT_TRUE(read_journal(folder_.path() / "none").empty());
-  EXPECT_TRUE(read_journal(folder_.path()).empty()) << "a folder";
+TEST_F(JournalFile, none_is_empty) {
+  EXPECT_TRUE(read_journal(folder_.path() / "none").cells.empty());
+  EXPECT_TRUE(read_journal(folder_.path()).cells.empty()) << "a folder";
   EXPECT_TRUE(read("").empty());
 }
 
-TEST_F(Journal, files_are_intact_until_they_change) {
+TEST_F(JournalFile, files_are_intact_until_they_change) {
   folder_.write("cells/a.png", "0123456789");
   folder_.write("cells/b.png", "");
   const std::vector<FileRecord> cell{record_file(folder_.path(), "cells/a.png"),
@@ -131,11 +147,11 @@ TEST_F(Journal, files_are_intact_until_they_change) {
   EXPECT_FALSE(files_intact(folder_.path(), cell)) << "a folder in its place";
 }
 
-TEST_F(Journal, a_record_without_files_is_intact) {
+TEST_F(JournalFile, a_record_without_files_is_intact) {
   EXPECT_TRUE(files_intact(folder_.path(), {}));
 }
 
-TEST_F(Journal, recording_a_missing_file_is_an_error) {
+TEST_F(JournalFile, recording_a_missing_file_is_an_error) {
   EXPECT_THAT(error_of([&] { record_file(folder_.path(), "none.png"); }),
               HasSubstr("none.png: no such file"));
 }

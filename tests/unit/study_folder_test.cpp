@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include <optional>
 #include <thread>
 
@@ -58,6 +60,14 @@ class StudyFolderTest : public ::testing::Test {
     study.add(index, numbers, overlays);
   }
   std::string data() const { return read_file(folder_.path() / "data.csv"); }
+  /// As if a run had written it so.
+  void change_record(size_t index, const std::function<void(CellRecord&)>& change) const {
+    Journal read = read_journal(folder_.path() / "journal.jsonl");
+    change(read.cells.at(index));
+    std::string text;
+    for (const auto& [cell, record] : read.cells) text += journal_line(record);
+    folder_.write("journal.jsonl", text);
+  }
   std::string journal() const { return read_file(folder_.path() / "journal.jsonl"); }
 
   const TemporaryFolder folder_;
@@ -257,11 +267,20 @@ TEST_F(Resume, drops_records_of_cells_that_are_no_more) {
 }
 
 TEST_F(Resume, measures_records_with_other_numbers_again) {
-  std::string changed = journal();
-  const size_t place = changed.find("\"0.5\",\"102\"");
-  ASSERT_NE(place, std::string::npos);
-  folder_.write("journal.jsonl", changed.replace(place, 11, "\"0.5\""));
+  change_record(2, [](CellRecord& record) { record.numbers.pop_back(); });
+  EXPECT_EQ(open().work(2), CellWork::measure);
   EXPECT_THAT(done(), ElementsAre(0, 1, 3));
+}
+
+TEST_F(Resume, a_changed_digit_of_a_number_in_the_journal_is_found_and_said) {
+  std::string changed = journal();
+  const size_t place = changed.find("\"0.5\"");
+  ASSERT_NE(place, std::string::npos);
+  folder_.write("journal.jsonl", changed.replace(place, 5, "\"0.6\""));
+  const StudyFolder study = open();
+  EXPECT_EQ(study.done_count(), 3U);
+  EXPECT_THAT(data(), Not(HasSubstr("0.6")));
+  EXPECT_THAT(study.notes(), ElementsAre("1 cell is drawn again: the journal's line is damaged"));
 }
 
 class ResumeWithLines : public StudyFolderTest {
@@ -286,10 +305,8 @@ TEST_F(ResumeWithLines, lines_that_lie_elsewhere_are_found_again_without_drawing
   const std::string before = journal();
   for (const char* bad : {"reference//000000000000001.svg", "reference/../0000000000001.svg",
                           "referenc/00000000000000001.svg", "reference/000000000000000g.svg"}) {
-    std::string changed = before;
-    const size_t place = changed.find(good);
-    ASSERT_NE(place, std::string::npos);
-    folder_.write("journal.jsonl", changed.replace(place, good.size(), bad));
+    folder_.write("journal.jsonl", before);
+    change_record(1, [&](CellRecord& record) { record.overlays.at(0).name = bad; });
     folder_.write(bad, "lines");
     const StudyFolder study = open();
     EXPECT_EQ(study.work(0), CellWork::none) << bad;

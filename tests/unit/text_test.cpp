@@ -148,5 +148,24 @@ TEST(Text, tells_utf8_from_other_bytes) {
     EXPECT_FALSE(is_utf8(text)) << text;
 }
 
+TEST(Text, printable_text_moves_no_cursor) {
+  EXPECT_EQ(printable("caf\xc3\xa9 \xe2\x82\xac plain"), "caf\xc3\xa9 \xe2\x82\xac plain");
+  EXPECT_EQ(printable("\x1b[31mred\x07"), "\\u001b[31mred\\u0007");
+  EXPECT_EQ(printable("a\xc2\x9b"
+                      "2J"),
+            "a\\u009b2J")
+      << "the one-character start of a control sequence";
+  EXPECT_EQ(printable("a\x9b"
+                      "2J\xff"),
+            "a\\x9b2J\\xff")
+      << "no UTF-8";
+  EXPECT_EQ(printable("a\xe2\x80\xae"
+                      "b"),
+            "a\\u202eb")
+      << "turned around";
+  EXPECT_EQ(printable("a\r\nb\tc"), "a\\u000d\\u000ab\\u0009c");
+  EXPECT_EQ(printable("a\r\nb\tc", true), "a\\u000d\nb\tc");
+}
+
 }  // namespace
 }  // namespace inkbench

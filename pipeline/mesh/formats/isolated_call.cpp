@@ -17,7 +17,9 @@
 #include <new>
 #include <utility>
 
+#include "pipeline/base/descriptor.h"
 #include "pipeline/base/error.h"
+#include "pipeline/base/stop.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define INKBENCH_ADDRESS_SANITIZER 1
@@ -34,23 +36,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kThrewStatus = 3;
 constexpr int kOutOfMemoryStatus = 4;
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { reset(); }
-
-  void reset() {
-    if (number_ >= 0) close(number_);
-    number_ = -1;
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 void limit_resource(__rlimit_resource resource, size_t value) {
   rlimit limit{};
@@ -118,14 +103,18 @@ void write_all(int descriptor, std::span<const uint8_t> data) {
   _exit(0);  // no destructors: the open files and GL contexts belong to the parent
 }
 
-/// Reads until the child closes its end; false when the time is over.
+constexpr std::chrono::milliseconds kMostWait{100};  ///< Until it is asked again whether to stop.
+
+/// Reads until the child closes its end; false when the time is over. Throws `Stopped` where the process was
+/// asked to stop.
 bool read_until_closed(int input, Clock::time_point deadline, std::vector<uint8_t>& bytes) {
   std::vector<uint8_t> block(size_t{1} << 16);
   while (true) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) return false;
+    stop_if_asked();
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+    if (left.count() <= 0) return false;
     pollfd waiting{input, POLLIN, 0};
-    const int ready = poll(&waiting, 1, static_cast<int>(std::min<long long>(left, 3'600'000)));
+    const int ready = poll(&waiting, 1, static_cast<int>(std::min(left, kMostWait).count()));
     if (ready <= 0) continue;
     const ssize_t count = read(input, block.data(), block.size());
     if (count == 0) return true;
@@ -187,6 +176,7 @@ IsolatedResult call_isolated(const std::function<void(const ByteSink&)>& work,
     return {IsolatedEnd::timed_out, {}};
   }
   result.end = child.wait();
+  stop_if_asked();  // a terminal's Ctrl-C ends the child, too: no crash of its own
   return result;
 }
 

@@ -53,10 +53,12 @@ void build(const Mesh& mesh, const ManifoldPieces& pieces, HalfedgeMesh& halfedg
   for (size_t point = 0; point < pieces.origin.size(); ++point) {
     halfedges.status(Vertex(static_cast<int>(point))).set_locked(pieces.is_cut[point]);
   }
-  for (const auto& corners : pieces.corners) {
+  for (size_t i = 0; i < pieces.corners.size(); ++i) {
+    if (i % 1024 == 0) stop_if_asked();  // where a vertex has many faces, each takes long
+    const auto& corners = pieces.corners[i];
     if (corners[0] == ManifoldPieces::kLeftOut) continue;
     Vertex vertices[3];
-    for (int i = 0; i < 3; ++i) vertices[i] = Vertex(static_cast<int>(corners[i]));
+    for (int k = 0; k < 3; ++k) vertices[k] = Vertex(static_cast<int>(corners[k]));
     if (halfedges.add_face(vertices, 3).is_valid()) continue;
     // Not expected after the cuts. The face then stays as it is at every level.
     for (const Vertex vertex : vertices) halfedges.status(vertex).set_locked(true);
@@ -336,7 +338,9 @@ class RecordingDecimater : public om::Decimater::BaseDecimaterT<HalfedgeMesh> {
         target_(mesh.n_vertices()),
         cost_(mesh.n_vertices(), -1.0F),
         heap_position_(mesh.n_vertices(), -1),
-        heap_(HeapInterface{&cost_, &heap_position_}) {
+        heap_(HeapInterface{&cost_, &heap_position_}),
+        valence_(mesh.n_vertices()) {
+    for (const auto vertex : mesh.vertices()) valence_[vertex.idx()] = mesh.valence(vertex);
     add(boundaries_);
     add(turns_);
     add(quadrics_);
@@ -380,13 +384,13 @@ class RecordingDecimater : public om::Decimater::BaseDecimaterT<HalfedgeMesh> {
 
   void stop_if_asked() {
     constexpr unsigned kOften = 1024;
-    if (++steps_ % kOften == 0 && stop_ && stop_()) throw Stopped();
+    if (++steps_ % kOften == 0) inkbench::stop_if_asked(stop_);
   }
 
   /// Finds the vertex's cheapest collapse and puts it on the heap, or takes it off.
   void consider(Vertex vertex) {
     candidates_.clear();
-    if (!mesh().status(vertex).locked()) {
+    if (!mesh().status(vertex).locked() && valence_[vertex.idx()] <= kMostValence) {
       Quadrics& quadrics = module(quadrics_);
       for (auto edge = mesh().cvoh_begin(vertex); edge.is_valid(); ++edge)
         candidates_.push_back({quadrics.cost(vertex, mesh().to_vertex_handle(*edge)), *edge});
@@ -403,8 +407,41 @@ class RecordingDecimater : public om::Decimater::BaseDecimaterT<HalfedgeMesh> {
 
   bool passes(Halfedge halfedge) {
     const CollapseInfo collapse(mesh(), halfedge);
-    return is_collapse_legal(collapse) && module(boundaries_).collapse_priority(collapse) >= 0.0F &&
+    return valence_after(collapse) <= kMostValence && is_legal(collapse) &&
+           module(boundaries_).collapse_priority(collapse) >= 0.0F &&
            module(turns_).collapse_priority(collapse) >= 0.0F;
+  }
+
+  /// How many edges there will be at `v1`, or are, if that is more: all that is asked about a collapse goes
+  /// once around its ends.
+  unsigned valence_after(const CollapseInfo& collapse) const {
+    const unsigned shared = (collapse.vl.is_valid() ? 1 : 0) + (collapse.vr.is_valid() ? 1 : 0);
+    const unsigned before = valence_[collapse.v1.idx()];
+    return std::max(before, before + valence_[collapse.v0.idx()] - 2 - shared);
+  }
+
+  /// Does the collapse leave a surface as it should be? Like `is_collapse_legal`, but without going around
+  /// `vl` and `vr`, which may have any number of edges.
+  bool is_legal(const CollapseInfo& collapse) {
+    HalfedgeMesh& m = mesh();
+    if (m.status(collapse.v0).locked() || !m.is_collapse_ok(collapse.v0v1)) return false;
+    const bool is_inner = collapse.vl.is_valid() && collapse.vr.is_valid();
+    const bool is_tetrahedron = is_inner && valence_[collapse.vl.idx()] == 3 &&
+                                valence_[collapse.vr.idx()] == 3 &&
+                                m.find_halfedge(collapse.vl, collapse.vr).is_valid();
+    if (is_tetrahedron) return false;
+    // A border's vertex goes along the border.
+    if (m.is_boundary(collapse.v0) && (is_inner || !m.is_boundary(collapse.v1))) return false;
+    const Halfedge second = m.cw_rotated_halfedge_handle(collapse.v0v1);
+    return m.cw_rotated_halfedge_handle(second) != collapse.v0v1;  // two faces at least
+  }
+
+  void count_edges(const CollapseInfo& collapse) {
+    const unsigned shared = (collapse.vl.is_valid() ? 1 : 0) + (collapse.vr.is_valid() ? 1 : 0);
+    valence_[collapse.v1.idx()] += valence_[collapse.v0.idx()] - 2 - shared;
+    for (const Vertex side : {collapse.vl, collapse.vr}) {
+      if (side.is_valid()) --valence_[side.idx()];
+    }
   }
 
   void put(Vertex vertex, const Candidate& candidate) {
@@ -431,10 +468,16 @@ class RecordingDecimater : public om::Decimater::BaseDecimaterT<HalfedgeMesh> {
     const uint32_t fewer = (collapse.fl.is_valid() ? 1 : 0) + (collapse.fr.is_valid() ? 1 : 0);
     record.faces.push_back(record.faces.back() - fewer);
     preprocess_collapse(collapse);
+    count_edges(collapse);
     mesh().collapse(halfedge);
     postprocess_collapse(collapse);
     for (const Vertex neighbour : ring_) consider(neighbour);
   }
+
+  /// Vertices of more edges stay until those around them have gone, and nothing is collapsed into them: what
+  /// is asked about a collapse takes as long as there are edges at its ends, and they would be asked about
+  /// with every neighbour that goes. Far above what meshes have, so that the order of collapses stays.
+  static constexpr unsigned kMostValence = 128;
 
   const StopAsked& stop_;
   unsigned steps_ = 0;
@@ -445,6 +488,7 @@ class RecordingDecimater : public om::Decimater::BaseDecimaterT<HalfedgeMesh> {
   std::vector<float> cost_;
   std::vector<int> heap_position_;
   om::Utils::HeapT<Vertex, HeapInterface> heap_;
+  std::vector<unsigned> valence_;  ///< Of each vertex.
   std::vector<Candidate> candidates_;
   std::vector<Vertex> ring_;
 };

@@ -69,7 +69,7 @@ Key MeshStore::content_key(const std::string& path) {
     known->second.is_gone = false;
     return known->second.content;
   }
-  const Key content = KeyBuilder().add(read_file(path)).key();
+  const Key content = KeyBuilder().add(read_file(path, kMostMeshBytes)).key();
   files_[path] = {size, time, content};
   return content;
 }

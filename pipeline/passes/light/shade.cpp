@@ -56,7 +56,7 @@ struct ShadeInput {
     if (!with_ramps || !settings.ramp.enabled) return;
     key.add(group_text(settings.ramp));
     for (const Ramp& ramp : {settings.ramp.diffuse, settings.ramp.specular})
-      key.add(ramp.image.empty() ? "" : read_file(ramp.image));
+      key.add(ramp.image.empty() ? "" : read_file(ramp.image, kMostImageBytes));
   }
 };
 
