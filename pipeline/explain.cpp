@@ -61,12 +61,12 @@ void check_inside(const ImageParams& image, int x, int y) {
 }  // namespace
 
 KeptMaps keep_maps(const Frame& frame) {
-  KeptMaps maps{frame.settings(), {}, frame.lines()};
+  KeptMaps maps{frame.settings(), {}, edge_detector(frame.settings()).strength()};
   std::vector<BufferName> kept = edge_detector(frame.settings()).maps();
   for (const BufferName buffer : all_buffers()) {
     if (buffer.info().shown_as != ShownAs::drawing) kept.push_back(buffer);
   }
-  kept.push_back(maps.lines);
+  kept.push_back(maps.strength);
   for (const BufferName buffer : kept) {
     if (maps.raw[buffer].samples.empty()) maps.raw[buffer] = frame.raw(buffer);
   }
@@ -78,7 +78,7 @@ Explanation explain_pixel(const KeptMaps& maps, int x, int y) {
   Explanation explanation = edge_detector(maps.settings).explain(maps.raw, maps.settings, x, y);
   explanation.x = x;
   explanation.y = y;
-  explanation.drawn = maps.raw[maps.lines].at(x, y);
+  explanation.drawn = maps.raw[maps.strength].at(x, y);
   return explanation;
 }
 

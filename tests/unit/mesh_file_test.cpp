@@ -433,7 +433,7 @@ TEST_F(MeshFile, non_manifold_edges_are_kept_and_counted) {
 
 TEST_F(MeshFile, a_face_that_lies_against_its_neighbours_is_turned_over) {
   const Mesh mesh = load("o.obj", replaced(kTetrahedronObj, "f 1 3 2", "f 1 2 3"));
-  EXPECT_THAT(mesh.notes, ElementsAre("Turned 1 face over that lay against the neighbours."));
+  EXPECT_THAT(mesh.notes, ::testing::ElementsAre("Turned 1 face over that lay against the neighbours."));
   expect_tetrahedron(mesh);
 }
 
