@@ -15,6 +15,18 @@ namespace {
 
 using inkbench::fail;
 
+/// An empty text is a variable of a script that was not set, not a wish to do without.
+void refuse_empty_values(CLI::App& app) {
+  const auto is_something = [](const std::string& text) {
+    return text.empty() ? std::string("is given as an empty text; leave it out or give a value") : "";
+  };
+  for (CLI::App* const command : app.get_subcommands([](CLI::App*) { return true; })) {
+    for (CLI::Option* const option : command->get_options()) {
+      if (option->get_expected_max() > 0 && !option->check_name("--help")) option->check(is_something);
+    }
+  }
+}
+
 int run(int argc, char** argv) {
   CLI::App app("inkbench: a workbench for tuning and evaluating cartoon line rendering", "inkbench");
   app.set_version_flag("--version", "inkbench " INKBENCH_VERSION);
@@ -34,6 +46,7 @@ int run(int argc, char** argv) {
   inkbench::add_params_command(app);
   inkbench::add_passes_command(app);
   inkbench::add_info_command(app);
+  refuse_empty_values(app);
   try {
     app.parse(argc, argv);
     return inkbench::exit_status();

@@ -18,10 +18,11 @@ layout(std140) uniform view_block {
   vec3 background;
   int use_ramps;
   int light_count;
+  int first_material;  // of those in material_list; pixels of the others are drawn by another go
 } view;
 
 layout(std140) uniform light_list { Light lights[max_lights]; };
-layout(std140) uniform material_list { Material materials[max_models]; };
+layout(std140) uniform material_list { Material materials[materials_at_once]; };
 
 layout(location = 0) out vec4 colour;
 
@@ -38,11 +39,14 @@ vec3 light_direction(Light light, vec3 position) {
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   float object_id = texelFetch(object_id_map, at, 0).r;
-  if (object_id < 0.5) {
+  int place_in_list = int(object_id + 0.5) - 1 - view.first_material;
+  bool is_background = object_id < 0.5;
+  if (is_background ? view.first_material > 0 : place_in_list < 0 || place_in_list >= materials_at_once) discard;
+  if (is_background) {
     colour = vec4(view.background, 1.0);
     return;
   }
-  Material material = materials[int(object_id + 0.5) - 1];
+  Material material = materials[place_in_list];
   vec4 normal_and_depth = texelFetch(normal_and_depth_map, at, 0);
   vec2 place = gl_FragCoord.xy / vec2(textureSize(object_id_map, 0));
   vec3 ray = view.ray_corner + place.x * view.ray_right + place.y * view.ray_up;

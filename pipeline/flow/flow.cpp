@@ -38,7 +38,7 @@ GeneratedSources generated_sources() {
                                     glsl_struct(LightParams::description(), "Light") +
                                     fmt::format("const int max_lights = {};\n", kMaxLights);
   sources["generated/material.glsl"] = glsl_struct(MaterialParams::description(), "Material") +
-                                       fmt::format("const int max_models = {};\n", kMaxModels);
+                                       fmt::format("const int materials_at_once = {};\n", kMaterialsAtOnce);
   return sources;
 }
 

@@ -18,9 +18,10 @@ struct ChoiceNames<LightType> {
 };
 
 /// Lights and materials lie in uniform blocks of fixed size: the software renderer reads those several times
-/// faster than storage buffers, and every driver has room for these.
+/// faster than storage buffers, and every driver has room for these. More materials than that are shaded in
+/// several goes.
 constexpr int kMaxLights = 64;
-constexpr int kMaxModels = 256;
+constexpr int kMaterialsAtOnce = 256;
 
 struct LightParams {
   std::string name;

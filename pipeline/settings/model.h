@@ -55,6 +55,9 @@ struct MaterialParams {
   static const Description& description();
 };
 
+/// As many models as a scene can list: parameters are looked up by name among all.
+inline constexpr size_t kMaxModels = 4096;
+
 struct ModelParams {
   std::string name;
   bool visible = true;

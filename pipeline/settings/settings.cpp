@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/settings/settings.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <type_traits>
@@ -78,12 +79,30 @@ std::vector<ParamOf<Owner>> params_of(AnySettings& settings) {
   return params;
 }
 
+template <class Item>
+bool has_named(const std::vector<Item>& items, const std::string& name) {
+  return std::any_of(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
+}
+
+/// For "model.NAME..." of a model that is not there: how one is written; else "".
+std::string how_to_add(const Settings& settings, const std::string& key) {
+  const std::vector<std::string> parts = split(key, '.');
+  if (parts.size() < 2 || (parts[0] != "model" && parts[0] != "light")) return "";
+  const bool is_there =
+      parts[0] == "model" ? has_named(settings.models, parts[1]) : has_named(settings.lights, parts[1]);
+  if (is_there) return "";
+  return "there is no " + parts[0] + " '" + parts[1] + "'; a scene file adds one with [[" + parts[0] +
+         "]] and name = \"" + parts[1] + "\" below it";
+}
+
 [[noreturn]] void throw_unknown(const Settings& settings, const std::string& key, const std::string& where) {
   std::vector<std::string> keys;
   for (const ConstParam& param : list_params(settings)) keys.push_back(param.key);
-  const std::string nearest = suggest(key, keys);
+  std::string help = suggest(key, keys);
+  const std::string how = how_to_add(settings, key);
+  if (!how.empty()) help += (help.empty() ? "" : " ") + how;
   throw input_error(where, "unknown parameter '" + key + "'",
-                    nearest.empty() ? "`inkbench params` lists them all" : nearest);
+                    help.empty() ? "`inkbench params` lists them all" : help);
 }
 
 void check_names_differ(const Settings& settings) {

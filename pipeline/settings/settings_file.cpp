@@ -2,6 +2,7 @@
 #include "pipeline/settings/settings_file.h"
 
 #include <algorithm>
+#include <set>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -11,7 +12,6 @@
 namespace inkbench {
 namespace {
 
-constexpr size_t kMaxListed = 4096;
 constexpr int kMaxBaseDepth = 16;
 
 struct Source {
@@ -71,20 +71,20 @@ void apply_entries(Settings& settings, const TomlNode& table, const std::string&
 template <class Item>
 void apply_list(Settings& settings, std::vector<Item>& items, const std::string& list, const TomlNode& array,
                 const Source& source) {
-  std::vector<std::string> seen;
+  std::set<std::string> seen, known;
+  for (const Item& item : items) known.insert(item.name);
   for (const TomlNode& table : array.items) {
     if (!table.is_table())
       throw input_error(source.at(array), list + " holds " + table.kind_name(), "it is a list of tables");
     const std::string name = checked_name(table, list, source);
-    if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
+    if (!seen.insert(name).second) {
       throw input_error(source.at(table), "a second [[" + list + "]] is named '" + name + "'",
                         "names must differ");
     }
-    seen.push_back(name);
-    const bool known =
-        std::any_of(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
-    if (items.size() >= kMaxListed) throw input_error(source.at(table), "too many [[" + list + "]] tables");
-    if (!known) {
+    if (items.size() >= kMaxModels)
+      throw input_error(source.at(table), "too many [[" + list + "]] tables",
+                        "at most " + std::to_string(kMaxModels));
+    if (known.insert(name).second) {
       items.emplace_back();
       items.back().name = name;
     }

@@ -41,6 +41,20 @@ TEST_F(BadSettings, unknown_key_suggests_the_nearest) {
   expect_set_refused("model.boxx.size=1", {"model.boxx.size", "'model.box.size'"});
 }
 
+TEST_F(BadSettings, a_table_of_a_model_that_is_not_there_shows_how_one_is_written) {
+  expect_scene_refused("[model.wheel]\nshape = \"box\"\n",
+                       {"bad.toml:2", "no model 'wheel'", "[[model]] and name = \"wheel\""});
+}
+
+TEST_F(BadSettings, an_option_with_an_empty_text_is_refused_by_its_name) {
+  for (const std::string option : {"--mesh", "--scene", "--from", "--out", "--size"}) {
+    EXPECT_TRUE(is_input_error(inkbench({"render", "--out", "out", option, ""}), {option, "empty text"}));
+  }
+  EXPECT_TRUE(
+      is_input_error(inkbench({"decimate", "", "--faces", "3", "--out", "out"}), {"MESH", "empty text"}));
+  EXPECT_FALSE(fs::exists(file("out")));
+}
+
 TEST_F(BadSettings, wrong_type_says_which_is_right) {
   expect_scene_refused("[combine]\nk_depth = \"much\"\n", {"bad.toml:2", "combine.k_depth", "number"});
   expect_scene_refused("[ramp]\nenabled = 3\n", {"bad.toml:2", "ramp.enabled", "true", "false"});

@@ -103,7 +103,7 @@ TEST(Shade, too_many_lights_or_models_are_an_input_error) {
   EXPECT_NO_THROW(pipeline.at(settings).raw(BufferName::shaded));
 }
 
-TEST(Shade, last_of_the_lights_and_materials_that_fit_is_used) {
+TEST(Shade, last_of_the_lights_that_fit_and_of_more_materials_than_fit_at_once_is_used) {
   Settings settings = small_scene();
   settings.ramp.enabled = false;
   const Image expected = Pipeline().at(settings).raw(BufferName::shaded);
@@ -112,8 +112,10 @@ TEST(Shade, last_of_the_lights_and_materials_that_fit_is_used) {
   settings.lights.insert(settings.lights.begin(), kMaxLights - 1, dark);
   for (int i = 0; i + 1 < kMaxLights; ++i) settings.lights[i].name += std::to_string(i);
   ModelParams hidden{.visible = false, .shape = Shape::box};
-  settings.models.insert(settings.models.begin(), kMaxModels - 1, hidden);
-  for (int i = 0; i + 1 < kMaxModels; ++i) settings.models[i].name = "hidden" + std::to_string(i);
+  const size_t before =
+      2 * kMaterialsAtOnce - 1;  // the first model that is seen is the last of the second go
+  settings.models.insert(settings.models.begin(), before, hidden);
+  for (size_t i = 0; i < before; ++i) settings.models[i].name = "hidden" + std::to_string(i);
   EXPECT_TRUE(is_near(Pipeline().at(settings).raw(BufferName::shaded), expected, 1e-6));
 }
 

@@ -239,6 +239,14 @@ TEST(Settings, unknown_key_names_the_nearest_one) {
               HasSubstr("`inkbench params` lists them all"));
 }
 
+TEST(Settings, a_model_that_is_not_there_says_how_one_is_written) {
+  Settings settings = scene();
+  EXPECT_THAT(error_of([&] { find_param(settings, "model.wheel_left.size", "a.toml:7"); }),
+              HasSubstr("there is no model 'wheel_left'; a scene file adds one with [[model]] and name = "
+                        "\"wheel_left\" below it"));
+  EXPECT_THAT(error_of([&] { find_param(settings, "light.sun2.type", ""); }), HasSubstr("[[light]]"));
+}
+
 TEST(Settings, assignments_are_key_equals_value) {
   Settings settings = scene();
   apply_assignment(settings, "combine.k_depth=0.005");

@@ -71,6 +71,7 @@ struct ViewBlock {
   alignas(16) glm::vec3 background;
   int use_ramps;
   int light_count;
+  int first_material;
 };
 
 ViewBlock make_view_block(const ShadeParams& params, float aspect) {
@@ -97,13 +98,9 @@ size_t list_bytes(int capacity) {
   return std140_size(Item::description()) * static_cast<size_t>(capacity);
 }
 
-/// A uniform buffer of `capacity` packed structs, the first ones from `items`.
+/// A uniform buffer of `capacity` packed structs, the first ones from `items`, which are no more than that.
 template <class Item>
-Buffer make_list(const std::string& label, const std::vector<Item>& items, int capacity) {
-  if (std::ssize(items) > capacity) {
-    throw input_error("scene", fmt::format("has {} {}", items.size(), label),
-                      fmt::format("at most {}", capacity));
-  }
+Buffer make_list(const std::string& label, std::span<const Item> items, int capacity) {
   const size_t stride = std140_size(Item::description());
   std::vector<uint8_t> bytes(list_bytes<Item>(capacity));
   for (size_t i = 0; i < items.size(); ++i) {
@@ -152,24 +149,34 @@ ShadePass::ShadePass(const GeneratedSources& generated)
                {.samplers = {"normal_and_depth_map", "object_id_map", "ramp_table"},
                 .uniform_blocks = {{"view_block", sizeof(ViewBlock)},
                                    {"light_list", list_bytes<LightParams>(kMaxLights)},
-                                   {"material_list", list_bytes<MaterialParams>(kMaxModels)}}},
+                                   {"material_list", list_bytes<MaterialParams>(kMaterialsAtOnce)}}},
                generated) {}
 
 Texture ShadePass::run(const ShadeParams& params, const GBuffer& gbuffer) const {
+  if (params.lights.size() > kMaxLights) {
+    throw input_error("scene", fmt::format("has {} lights", params.lights.size()),
+                      fmt::format("at most {}", kMaxLights));
+  }
   const int width_px = gbuffer.object_id.width_px();
   const int height_px = gbuffer.object_id.height_px();
   Texture shaded("shaded", TextureFormat::rgba32f, width_px, height_px);
-  const ViewBlock block =
-      make_view_block(params, static_cast<float>(width_px) / static_cast<float>(height_px));
-  const Buffer view("view block", bytes_of(std::span(&block, 1)));
-  const Buffer lights = make_list("lights", params.lights, kMaxLights);
-  const Buffer materials = make_list("materials", params.materials, kMaxModels);
+  ViewBlock block = make_view_block(params, static_cast<float>(width_px) / static_cast<float>(height_px));
+  const Buffer lights = make_list("lights", std::span(params.lights), kMaxLights);
   const Texture ramps = make_ramp_texture(params.ramp);
   const RenderTarget target({&shaded}, nullptr);
   program_.use();
-  bind_uniform_blocks({&view, &lights, &materials});
   bind_textures({&gbuffer.normal_and_depth, &gbuffer.object_id, &ramps});
-  draw_full_screen();
+  // Each go draws the pixels of its own materials, the first one also the background.
+  std::span<const MaterialParams> left(params.materials);
+  do {
+    const auto now = left.first(std::min<size_t>(left.size(), kMaterialsAtOnce));
+    const Buffer view("view block", bytes_of(std::span<const ViewBlock>(&block, 1)));
+    const Buffer materials = make_list("materials", now, kMaterialsAtOnce);
+    bind_uniform_blocks({&view, &lights, &materials});
+    draw_full_screen();
+    left = left.subspan(now.size());
+    block.first_material += kMaterialsAtOnce;
+  } while (!left.empty());
   return shaded;
 }
 

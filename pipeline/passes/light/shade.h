@@ -28,7 +28,7 @@ class ShadePass {
   static const PassKind& kind();
   explicit ShadePass(const GeneratedSources& generated);
   /// Out: rgba32f, the background's colour where no model is. Errors (input): a ramp's image cannot be read;
-  /// more than `kMaxLights` lights or `kMaxModels` materials.
+  /// more than `kMaxLights` lights.
   Texture run(const ShadeParams& params, const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
