@@ -6,7 +6,7 @@
 #include "app/run_window.h"
 #include "app/size_option.h"
 #include "pipeline/base/files.h"
-#include "pipeline/settings/settings_file.h"
+#include "pipeline/mesh/levels/scene_file.h"
 
 namespace inkbench {
 namespace {
@@ -28,7 +28,7 @@ std::optional<WindowSize> window_size(const std::string& text) {
 std::optional<Settings> start_settings(const AppOptions& options, const fs::path& scene) {
   if (options.scene.empty() && options.assignments.empty() && options.file.empty() && options.drag.empty())
     return std::nullopt;
-  Settings settings = load_settings(scene);
+  Settings settings = load_scene_file(scene);
   for (const std::string& assignment : options.assignments) apply_assignment(settings, assignment);
   if (!options.drag.empty()) find_param(settings, options.drag, "--drag");
   check_settings(settings);
@@ -53,8 +53,9 @@ void open_window(const AppOptions& options) {
 void add_app_command(CLI::App& app) {
   auto options = std::make_shared<AppOptions>();
   CLI::App* command = app.add_subcommand("app", "Open the window: every buffer side by side, tuned live");
-  command->add_option("--scene", options->scene,
-                      "Scene file (TOML); without it the last session, at first the paper's scene");
+  command->add_option(
+      "--scene", options->scene,
+      "Scene file (TOML, or glTF, FBX and more); without it the last session, at first the paper's scene");
   command
       ->add_option("--set", options->assignments,
                    "KEY=VALUE: set a parameter (`inkbench params` lists them); repeatable")

@@ -89,7 +89,8 @@ void add_decimate_command(CLI::App& app) {
   auto options = std::make_shared<DecimateOptions>();
   CLI::App* command =
       app.add_subcommand("decimate", "Write a mesh with fewer faces, at one or more face counts");
-  command->add_option("MESH", options->mesh, "Mesh file (OBJ, PLY, OFF, STL), or rabbit")->required();
+  command->add_option("MESH", options->mesh, "Mesh file (OBJ, PLY, OFF, STL, glTF, FBX and more), or rabbit")
+      ->required();
   command
       ->add_option("--faces", options->faces, "Face counts, comma-separated; each level has at most as many")
       ->required();

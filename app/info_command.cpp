@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <functional>
+#include <memory>
 
 #include "app/commands.h"
 #include "app/hear_signals.h"
@@ -33,7 +34,8 @@ void print_places() {
   print_out("cache       {}\n", cache.empty() ? "none" : cache.string());
 }
 
-void print_info() {
+void print_info(bool only_meshes) {
+  if (only_meshes) return print_out("{}\n", known_mesh_formats());
   print_out("inkbench    {}\n", INKBENCH_VERSION);
   print_places();
   const HeadlessContext context;
@@ -43,6 +45,7 @@ void print_info() {
   print_out("OpenGL      {}\n", info.version);
   print_out("EGL         {} platform\n", context.platform());
   print_out("largest     {} x {} px\n", info.max_side_px, info.max_side_px);
+  print_out("meshes      {}\n", known_mesh_formats());
 }
 
 }  // namespace
@@ -50,10 +53,12 @@ void print_info() {
 void add_info_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("info", "Show the renderer, versions and where files are looked for and kept");
+  auto only_meshes = std::make_shared<bool>(false);
+  command->add_flag("--meshes", *only_meshes, "Only the endings of mesh files that can be read");
   command->footer("Example:\n  inkbench info");
-  command->callback([] {
+  command->callback([only_meshes] {
     hear_signals();
-    print_info();
+    print_info(*only_meshes);
   });
 }
 

@@ -6,27 +6,28 @@
 #include "pipeline/base/log.h"
 #include "pipeline/export.h"
 #include "pipeline/mesh/levels/replace_mesh.h"
-#include "pipeline/settings/settings_file.h"
+#include "pipeline/mesh/levels/scene_file.h"
 
 namespace inkbench {
 namespace {
 
 ChosenScene base_scene(const SceneOptions& options, const std::optional<ImageOrigin>& origin) {
   if (origin) return {origin->settings, origin->buffer};
-  return {
-      load_settings(options.scene.empty() ? project_file("data/scenes/paper.toml") : fs::path(options.scene)),
-      std::nullopt};
+  return {load_scene_file(options.scene.empty() ? project_file("data/scenes/paper.toml")
+                                                : fs::path(options.scene)),
+          std::nullopt};
 }
 
 }  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
-  auto* scene =
-      command.add_option("--scene", options.scene, "Scene file (TOML); the paper's scene without it");
+  auto* scene = command.add_option(
+      "--scene", options.scene,
+      "Scene file (TOML, or glTF, FBX and more: a model for each part); the paper's scene without it");
   command.add_option("--from", options.from, "Make an exported image again, from the parameters it carries")
       ->excludes(scene);
   command.add_option("--mesh", options.mesh,
-                     "Mesh file (OBJ, PLY, OFF, STL) to put where the main model stands");
+                     "Mesh file (OBJ, PLY, OFF, STL, glTF, FBX and more) to put where the main model stands");
   command.add_option("--size", options.size, "Image size in px, as WIDTHxHEIGHT");
   command
       .add_option("--set", options.assignments,

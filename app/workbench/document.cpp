@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "pipeline/base/error.h"
-#include "pipeline/settings/settings_file.h"
+#include "pipeline/mesh/levels/scene_file.h"
 
 namespace inkbench {
 
@@ -16,7 +16,7 @@ Document::Origin Document::origin_in(const std::filesystem::path& scene, const S
   if (scene.empty()) return {"unnamed", {}, settings};
   Origin origin{scene.filename().string(), scene, settings};
   try {
-    origin.baseline = load_settings(scene);
+    origin.baseline = load_scene_file(scene);
   } catch (const Error&) {
     // It changed or went away since; its settings are here.
   }

@@ -30,7 +30,7 @@ size_t bytes_of(const Settings& settings) {
       sizeof(Settings) + settings.lights.size() * sizeof(LightParams) +
       (settings.ramp.diffuse.stops.size() + settings.ramp.specular.stops.size()) * sizeof(RampStop);
   for (const ModelParams& model : settings.models)
-    bytes += sizeof(ModelParams) + model.name.size() + model.mesh.size();
+    bytes += sizeof(ModelParams) + model.name.size() + model.mesh.size() + model.part.size();
   return bytes;
 }
 

@@ -12,20 +12,17 @@
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
 #include "pipeline/export.h"
+#include "pipeline/mesh/formats/mesh_file.h"
 #include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {
 
 constexpr const char* kKnownKinds =
-    "inkbench opens images (PNG, EXR, ...), meshes (.obj, .ply, .off, .stl) and TOML files: scenes, presets, "
-    "studies, ramps";
+    "inkbench opens images (PNG, EXR, ...), meshes (OBJ, PLY, OFF, STL, glTF, FBX, ...) and TOML files: "
+    "scenes, "
+    "presets, studies, ramps";
 constexpr size_t kMaxTomlBytes = size_t{16} << 20;
-
-bool is_mesh_name(const fs::path& path) {
-  constexpr std::array<std::string_view, 4> kMeshes{".obj", ".ply", ".off", ".stl"};
-  return std::find(kMeshes.begin(), kMeshes.end(), lower_extension(path)) != kMeshes.end();
-}
 
 void check_is_file(const fs::path& path) {
   if (!is_utf8(path.string())) throw input_error("this file", "has a name that is not UTF-8", "rename it");

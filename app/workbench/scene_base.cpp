@@ -3,7 +3,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
-#include "pipeline/settings/settings_file.h"
+#include "pipeline/mesh/levels/scene_file.h"
 
 namespace inkbench {
 namespace {
@@ -17,7 +17,7 @@ std::string absolute_text(const std::string& path) {
 bool try_base(const Settings& settings, const fs::path& scene, SceneBase& base) {
   if (scene.empty()) return false;
   try {
-    const Settings start = load_settings(scene);
+    const Settings start = load_scene_file(scene);
     if (!same_structure(start, settings)) return false;
     base.scene = fs::absolute(scene).lexically_normal();
     for (const ParamChange& change : changed_params(start, settings))

@@ -7,6 +7,7 @@
 #include "app/workbench/unknown_entries.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
+#include "pipeline/mesh/levels/scene_file.h"
 #include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
 #include "pipeline/settings/settings_file.h"
@@ -99,7 +100,7 @@ const Description& CameraBookmark::description() {
 Session first_session() {
   Session session;
   session.scene = default_scene();
-  session.settings = load_settings(session.scene);
+  session.settings = load_scene_file(session.scene);
   return session;
 }
 

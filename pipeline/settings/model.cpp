@@ -36,11 +36,17 @@ const Description& ModelParams::description() {
       {
           field<&ModelParams::visible>({.name = "visible", .help = "Draw this model."}),
           field<&ModelParams::shape>({.name = "shape", .help = "A mesh from a file, or a built-in shape."}),
-          field<&ModelParams::mesh>(
-              {.name = "mesh",
-               .help = "Mesh file (OBJ, PLY, OFF, STL), or \"rabbit\" for Debian's bunny.obj.",
-               .is_path = true,
-               .not_a_path = kRabbit,
+          field<&ModelParams::mesh>({.name = "mesh",
+                                     .help = "Mesh file (OBJ, PLY, OFF, STL, glTF, FBX and more), or "
+                                             "\"rabbit\" for Debian's bunny.obj.",
+                                     .is_path = true,
+                                     .not_a_path = kRabbit,
+                                     .matters_when = "shape = mesh"}),
+          field<&ModelParams::part>(
+              {.name = "part",
+               .help =
+                   "Only this part of a mesh file that has parts (glTF, FBX and more), by name or by number "
+                   "from 1; all of them without it.",
                .matters_when = "shape = mesh"}),
           field<&ModelParams::segments>(
               {.name = "segments",

@@ -63,6 +63,7 @@ struct ModelParams {
   bool visible = true;
   Shape shape = Shape::mesh;
   std::string mesh{kRabbit};
+  std::string part;
   int segments = 32;
   float fillet = 0.1F;
   float tube = 0.35F;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What `cmake --install` leaves: the program, its image module, shaders, scenes and studies, the documentation, and a
+# What `cmake --install` leaves: the program, its modules, shaders, scenes and studies, the documentation, and a
 # CMake package of the folders of pipeline/ and studies/. All of it finds each other when the prefix is moved.
 include(CMakePackageConfigHelpers)
 set(data ${CMAKE_INSTALL_DATADIR}/inkbench)
@@ -7,7 +7,7 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/inkbench)
 set(headers ${CMAKE_INSTALL_INCLUDEDIR}/inkbench)
 
 install(TARGETS inkbench RUNTIME)
-install(TARGETS inkbench_image_codecs LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/inkbench)
+install(TARGETS inkbench_image_codecs inkbench_scene_import LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/inkbench)
 
 # The folders' libraries and headers, and what other packages they need, from what they link.
 add_library(inkbench_studies INTERFACE)

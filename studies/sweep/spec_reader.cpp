@@ -7,6 +7,7 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
+#include "pipeline/mesh/levels/scene_file.h"
 #include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
 #include "pipeline/settings/settings_file.h"
@@ -35,7 +36,7 @@ class SpecReader {
                                  "axis", "variant", "view", "chart"});
     spec_.title = toml_.text_entry(document_, "title", path_.stem().string());
     spec_.purpose = toml_.text_entry(document_, "purpose", "");
-    spec_.base = load_settings(scene_path());
+    spec_.base = load_scene_file(scene_path());
     read_size();
     read_show();
     read_grid_px();

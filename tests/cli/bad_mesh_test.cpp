@@ -46,7 +46,7 @@ TEST_F(BadMesh, folder_is_not_a_mesh) {
 }
 
 TEST_F(BadMesh, unknown_extension_names_the_formats) {
-  expect_refused("cube.fbx", "whatever", {".fbx", ".obj", ".ply", ".off", ".stl"});
+  expect_refused("cube.max", "whatever", {".max", ".obj", ".ply", ".off", ".stl", ".gltf", ".fbx"});
   expect_refused("cube", cube_obj(), {".obj", ".ply", ".off", ".stl"});
 }
 

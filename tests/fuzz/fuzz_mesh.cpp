@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bytes as mesh files of every format and as raw polygons: nothing but an inkbench::Error may come out
-// besides a mesh that keeps its promises. The first byte chooses: a format, or the soup.
+// besides a mesh that keeps its promises. The first byte chooses: a format, a soup, or what an importing
+// child process could send.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,8 +15,9 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/scratch_folder.h"
 #include "pipeline/mesh/formats/mesh_file.h"
-#include "pipeline/mesh/formats/soup_transfer.h"
-#include "pipeline/mesh/polygon_soup.h"
+#include "pipeline/mesh/formats/scene_import.h"
+#include "pipeline/mesh/formats/scene_transfer.h"
+#include "pipeline/mesh/mesh_from_soup.h"
 
 namespace inkbench {
 namespace {
@@ -50,20 +52,26 @@ void load_as(const char* name, std::span<const uint8_t> content) {
   check_invariants(load_mesh_file(path));
 }
 
-/// A quarter of the bytes as points, the rest as faces of few corners.
+/// A quarter of the bytes as points, the rest as faces of few corners. The first byte of the rest says
+/// whether there are normals, smoothing groups, and what the format means.
 PolygonSoup soup_of(std::span<const uint8_t> bytes) {
   PolygonSoup soup;
-  soup.points.resize(bytes.size() / 4 / sizeof(glm::vec3));
+  soup.points.resize(bytes.size() / 4 / sizeof(glm::dvec3));
   if (!soup.points.empty())
-    std::memcpy(soup.points.data(), bytes.data(), soup.points.size() * sizeof(glm::vec3));
-  bytes = bytes.subspan(soup.points.size() * sizeof(glm::vec3));
-  if (!bytes.empty() && bytes[0] % 2 == 1) soup.normals.assign(soup.points.rbegin(), soup.points.rend());
+    std::memcpy(soup.points.data(), bytes.data(), soup.points.size() * sizeof(glm::dvec3));
+  bytes = bytes.subspan(soup.points.size() * sizeof(glm::dvec3));
+  const uint8_t flags = bytes.empty() ? 0 : bytes[0];
+  soup.corners_are_rounded = (flags & 2) != 0;
+  soup.is_flat = (flags & 4) != 0;
   while (!bytes.empty()) {
     const size_t corners = std::min<size_t>(bytes[0] % 8, bytes.size() - 1);
     for (const uint8_t index : bytes.subspan(1, corners)) soup.corners.push_back(static_cast<int8_t>(index));
     soup.corner_counts.push_back(static_cast<uint32_t>(corners));
+    if ((flags & 8) != 0) soup.smoothing_groups.push_back(bytes[0] / 64);
     bytes = bytes.subspan(1 + corners);
   }
+  if ((flags & 1) != 0) soup.normals.assign(soup.points.rbegin(), soup.points.rend());
+  if ((flags & 1) != 0) soup.corner_normals.assign(soup.corners.rbegin(), soup.corners.rend());
   return soup;
 }
 
@@ -80,7 +88,7 @@ void feed(uint8_t choice, std::span<const uint8_t> content) {
     case 4:
       return check_invariants(mesh_from_soup(soup_of(content), "soup"));
     default:
-      return check_invariants(mesh_from_soup(receive_soup(content), "soup"));
+      return check_invariants(mesh_from_soup(joined_soup(receive_scene(content)), "scene"));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
 #include "tests/gl/scenes.h"
+#include "tests/written_gltf.h"
 
 namespace inkbench {
 namespace {
@@ -159,6 +160,18 @@ TEST(Keys, a_failed_draw_leaves_the_pipeline_usable) {
   EXPECT_NE(input_error_of([&] { pipeline.at(broken).raw(BufferName::final); }).find("camera.eye"),
             std::string::npos);
   EXPECT_TRUE(is_near(pipeline.at(settings).raw(BufferName::final), before, 0.0));
+}
+
+TEST(Keys, the_buffer_of_a_gltf_decides_its_mesh) {
+  const TempFolder folder;
+  Settings settings = small_scene();
+  settings.models[0].shape = Shape::mesh;
+  settings.models[0].mesh = write_gltf(folder.path()).string();
+  Pipeline pipeline;
+  const std::string before = pipeline.at(settings).key(BufferName::final).text();
+  EXPECT_EQ(pipeline.at(settings).key(BufferName::final).text(), before);
+  std::filesystem::resize_file(folder.path() / "square.bin", 61);
+  EXPECT_NE(pipeline.at(settings).key(BufferName::final).text(), before);
 }
 
 }  // namespace

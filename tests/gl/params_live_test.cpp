@@ -16,6 +16,7 @@
 #include "pipeline/pipeline.h"
 #include "studies/judging/drawing_meter.h"
 #include "tests/gl/checks.h"
+#include "tests/written_gltf.h"
 
 namespace inkbench {
 namespace {
@@ -91,7 +92,7 @@ Value another(const Field& field, const Value& value, const std::string& other_m
     const auto here = std::find(field.choices.begin(), field.choices.end(), std::get<std::string>(value));
     return std::string(here + 1 == field.choices.end() ? field.choices.front() : *(here + 1));
   }
-  if (field.type == FieldType::text && field.is_path) return other_mesh;
+  if (field.type == FieldType::text) return field.is_path ? other_mesh : "2";  // the number of a part
   if (field.type == FieldType::ramp) {
     Ramp ramp = std::get<Ramp>(value);
     for (RampStop& stop : ramp.stops) stop.colour *= 0.7F;
@@ -155,6 +156,10 @@ class ParamsLive : public testing::Test {
   ParamsLive() {
     // Inside out, so that it matters which side is the front.
     first_mesh_ = folder_.write("first.obj", bumpy_sphere(5.0F, 16, true)).string();
+    mesh_of_parts_ =
+        write_gltf(folder_.path(), {.nodes = R"({"mesh": 0}, {"mesh": 0, "translation": [0.5, 2, -1]})",
+                                    .scene_nodes = "0, 1"})
+            .string();
     other_mesh_ = folder_.write("other.obj", bumpy_sphere(3.0F)).string();
     rich_ = make_rich_scene();
     judged_ = rich_;  // where the lines of the full mesh are seen, those of its smooth bends too
@@ -220,8 +225,17 @@ class ParamsLive : public testing::Test {
   Settings with_change(const Settings& settings, const std::string& key) const {
     return all_changes(settings, key).front();
   }
+  /// Only some formats have parts.
+  std::vector<Settings> with_parts(const std::string& key, std::vector<Settings> arranged) const {
+    if (!key.ends_with(".part")) return arranged;
+    for (Settings& settings : arranged) {
+      for (ModelParams& model : settings.models) model.mesh = mesh_of_parts_;
+    }
+    return arranged;
+  }
   bool is_live(const std::string& key) {
-    for (const Settings& arranged : arrangements(key.starts_with("judge.") ? judged_ : rich_, key)) {
+    for (const Settings& arranged :
+         with_parts(key, arrangements(key.starts_with("judge.") ? judged_ : rich_, key))) {
       for (const Settings& after : all_changes(arranged, key)) {
         const bool live = key.starts_with("judge.") ? judge_is_live(arranged, after)
                           : key.starts_with("display.")
@@ -234,7 +248,7 @@ class ParamsLive : public testing::Test {
   }
 
   TempFolder folder_;
-  std::string first_mesh_, other_mesh_;
+  std::string first_mesh_, other_mesh_, mesh_of_parts_;
   Settings rich_, judged_;
   Pipeline before_;  // keeps the images that changes are compared with
   Pipeline pipeline_;

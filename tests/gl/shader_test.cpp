@@ -138,7 +138,7 @@ TEST_F(Shaders, block_in_an_included_file_is_named_there) {
 TEST_F(Shaders, list_of_another_length_is_an_error) {
   folder_.edit("shade.frag", "Light lights[max_lights]", "Light lights[max_lights + 1]");
   const std::string error = input_error_of([] { Pipeline(); });
-  EXPECT_TRUE(contains(error, "shaders/shade.frag:23: 'light_list'")) << error;
+  EXPECT_TRUE(contains(error, "shaders/shade.frag:24: 'light_list'")) << error;
 }
 
 TEST_F(Shaders, parameter_without_description_is_no_member) {

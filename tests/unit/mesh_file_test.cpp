@@ -278,8 +278,8 @@ TEST_F(MeshFile, missing_folder_empty_and_unknown_files_are_named) {
   for (const std::string name : {"e.obj", "e.ply", "e.off", "e.stl"}) {
     EXPECT_THAT(failure_of(name, ""), HasSubstr(name + ": is empty"));
   }
-  EXPECT_THAT(failure_of("m.gltf", "x"),
-              HasSubstr("unknown mesh format '.gltf'; known formats are .obj, .ply"));
+  EXPECT_THAT(failure_of("m.max", "x"),
+              HasSubstr("unknown mesh format '.max'; known formats are .obj, .ply"));
 }
 
 TEST_F(MeshFile, content_of_another_format_is_refused) {
@@ -322,13 +322,25 @@ TEST_F(MeshFile, truncated_off_names_announced_and_found_counts) {
               HasSubstr("t.off:11: a face has 2 of its 3 corners"));
 }
 
+TEST_F(MeshFile, text_in_utf_16_is_refused_for_that) {
+  EXPECT_THAT(failure_of("t.obj", std::string("\xFF\xFEv\0 \0", 6)), HasSubstr("is text in UTF-16"));
+}
+
+TEST_F(MeshFile, a_part_of_a_file_without_parts_is_refused) {
+  try {
+    load_mesh_file(write("t.obj", kTetrahedronObj), {}, "wheel");
+    ADD_FAILURE() << "loaded";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("t.obj: has no parts, so none is 'wheel'"));
+  }
+}
+
 TEST_F(MeshFile, truncated_stl_is_refused) {
   EXPECT_THAT(failure_of("t.stl", binary_stl().substr(0, 84 + 130)),
               HasSubstr("announces 12 vertices and 4 faces, but the file holds 6 and 2"));
-  EXPECT_THAT(failure_of("t.stl", binary_stl() + "x"), HasSubstr("285 bytes do not fit the 4 facets"));
   const std::string text = ascii_stl();
   EXPECT_THAT(failure_of("t.stl", text.substr(0, text.find("endsolid"))),
-              HasSubstr("truncated: no 'endsolid' after 4"));
+              HasSubstr("truncated: no 'endsolid' after 4 facets"));
   EXPECT_THAT(failure_of("t.stl", text.substr(0, text.rfind("   vertex"))),
               HasSubstr("2 of its 3 'vertex' lines"));
 }
@@ -358,7 +370,7 @@ TEST_F(MeshFile, numbers_that_are_none_are_named_with_their_line) {
 TEST_F(MeshFile, faces_at_nan_infinity_or_overflow_are_dropped_and_the_rest_stays_in_place) {
   const std::string note = "Dropped 1 face with a corner at NaN or infinity.";
   // The bad point comes first: a reader that skips it would shift all others.
-  for (const std::string bad : {"nan", "-nan", "inf", "-Infinity", "1e39", "NaN(ind)", "-1.#IND"}) {
+  for (const std::string bad : {"nan", "-nan", "inf", "-Infinity", "1e999", "NaN(ind)", "-1.#IND"}) {
     SCOPED_TRACE(bad);
     const std::string point = bad + " 0 0\n";
     const Mesh obj = load("n.obj", "v " + point + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\nf 1 2 3\n");
@@ -394,7 +406,7 @@ TEST_F(MeshFile, faces_outside_the_vertices_are_dropped_with_an_example) {
   const Mesh obj = load("o.obj", kTetrahedronObj + "f 1 2 99\nf 0 1 2\nf 1 2 99999999999\n");
   expect_tetrahedron(obj);
   EXPECT_THAT(obj.notes, Contains("Dropped 3 faces naming a vertex outside the file's 4 (such as index "
-                                  "2,147,483,646, counted from 0)."));
+                                  "2,147,483,647, counted from 0)."));
   const Mesh ply =
       load("o.ply", replaced(replaced(kTetrahedronPly, "face 4", "face 6"), "end_header", "end_header") +
                         "3 0 1 4\n3 -1 0 1\n");
@@ -456,14 +468,16 @@ TEST_F(MeshFile, malformed_ply_headers_are_refused_quickly) {
   EXPECT_THAT(failure_of("h.ply", start + points + face), HasSubstr("no 'end_header'"));
   EXPECT_THAT(failure_of("h.ply", "ply\nformat text 1.0\n" + points + face + body),
               HasSubstr("unknown PLY format 'text'"));
-  EXPECT_THAT(failure_of("h.ply", start + face + points + body), HasSubstr("faces before its vertices"));
-  EXPECT_THAT(failure_of("h.ply", start + points + body), HasSubstr("announces no vertices or no faces"));
+  EXPECT_THAT(failure_of("h.ply", start + face + body), HasSubstr("announces no vertices"));
+  EXPECT_THAT(failure_of("h.ply", start + points + body), HasSubstr("announces no faces"));
   EXPECT_THAT(failure_of("h.ply", start + "property float x\n" + points + face + body),
               HasSubstr("without an element"));
-  EXPECT_THAT(failure_of("h.ply", start + replaced(points, "float y", "int y") + face + body),
+  EXPECT_THAT(failure_of("h.ply", start + replaced(points, "float y", "int x") + face + body),
               HasSubstr("lack one of x, y and z"));
   EXPECT_THAT(failure_of("h.ply", start + points + replaced(face, "int", "float") + body),
-              HasSubstr("no list of vertex"));
+              HasSubstr("'vertex_indices' is no list of whole numbers"));
+  EXPECT_THAT(failure_of("h.ply", start + points + replaced(face, "vertex_indices", "corners") + body),
+              HasSubstr("have no list of vertex indices"));
   EXPECT_THAT(failure_of("h.ply", start + replaced(points, "float y", "quad y") + face + body),
               HasSubstr("unknown PLY type 'quad'"));
   EXPECT_THAT(failure_of("h.ply", start + replaced(points, "3", "-3") + face + body),
@@ -483,7 +497,7 @@ TEST_F(MeshFile, huge_announced_counts_cost_neither_time_nor_memory) {
 
 TEST_F(MeshFile, unsupported_off_variants_say_so) {
   EXPECT_THAT(failure_of("b.off", "OFF BINARY\n1 1 1\n"), HasSubstr("binary OFF is not supported"));
-  EXPECT_THAT(failure_of("4.off", "4OFF\n1 1 1\n"), HasSubstr("other than 3 dimensions"));
+  EXPECT_THAT(failure_of("4.off", "4OFF\n1 1 1\n"), HasSubstr("homogeneous coordinates"));
   EXPECT_THAT(failure_of("c.off", "OFF\nfour faces\n"), HasSubstr("counts after OFF are missing"));
 }
 

@@ -12,7 +12,6 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/mesh/formats/mesh_file.h"
-#include "pipeline/mesh/formats/soup_transfer.h"
 
 namespace inkbench {
 namespace {
@@ -139,40 +138,6 @@ TEST(BoundsOf, covers_used_points_only) {
   mesh.triangles = {{1, 2, 3}};
   EXPECT_EQ(bounds_of(mesh).low, glm::vec3(1, -2, -6));
   EXPECT_EQ(bounds_of(mesh).high, glm::vec3(4, 5, 3));
-}
-
-std::vector<uint8_t> sent(const PolygonSoup& soup) {
-  std::vector<uint8_t> bytes;
-  send_soup(soup,
-            [&](std::span<const uint8_t> data) { bytes.insert(bytes.end(), data.begin(), data.end()); });
-  return bytes;
-}
-
-TEST(SoupTransfer, what_is_sent_arrives) {
-  PolygonSoup soup = one_triangle();
-  soup.normals.resize(3, glm::vec3(1, 2, 3));
-  soup.corner_normals = {2, 1, 0};
-  soup.empty_polygons = 5;
-  const PolygonSoup back = receive_soup(sent(soup));
-  EXPECT_EQ(back.points, soup.points);
-  EXPECT_EQ(back.normals, soup.normals);
-  EXPECT_EQ(back.corner_counts, soup.corner_counts);
-  EXPECT_EQ(back.corners, soup.corners);
-  EXPECT_EQ(back.empty_polygons, 5U);
-  EXPECT_EQ(back.corner_normals, soup.corner_normals);
-}
-
-TEST(SoupTransfer, damaged_bytes_are_refused) {
-  const std::vector<uint8_t> whole = sent(one_triangle());
-  for (size_t length = 0; length < whole.size(); ++length) {
-    EXPECT_THROW(receive_soup(std::span(whole).first(length)), Error) << length;
-  }
-  std::vector<uint8_t> longer = whole;
-  longer.push_back(0);
-  EXPECT_THROW(receive_soup(longer), Error);
-  std::vector<uint8_t> huge = whole;
-  huge[7] = 0xff;
-  EXPECT_THROW(receive_soup(huge), Error);
 }
 
 }  // namespace

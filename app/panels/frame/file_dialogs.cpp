@@ -15,13 +15,14 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/export.h"
+#include "pipeline/mesh/formats/mesh_file.h"
 #include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
 namespace {
 
-constexpr std::array<std::string_view, 14> kOpened{".toml", ".obj", ".ply",  ".off", ".stl", ".png", ".exr",
-                                                   ".jpg",  ".tif", ".tiff", ".hdr", ".bmp", ".tga", ".webp"};
+constexpr std::array<std::string_view, 10> kOpened{".toml", ".png", ".exr", ".jpg", ".tif",
+                                                   ".tiff", ".hdr", ".bmp", ".tga", ".webp"};
 
 void write_settings(Document& document, Problems& problems, const fs::path& path) {
   write_file_atomically(path, preset_text(path.stem().string(), with_absolute_paths(document.settings())));
@@ -35,12 +36,14 @@ fs::path start_folder(const Document& document) {
 }
 
 ChooserQuestion open_question(const Document& document) {
+  std::vector<std::string_view> extensions = mesh_endings();
+  extensions.insert(extensions.end(), kOpened.begin(), kOpened.end());
   return {.title = "Open",
           .help =
               "Scenes, presets, studies and ramps (.toml), exported images (.png, .exr), meshes (.obj, "
-              ".ply, .off, .stl).",
+              ".ply, .off, .stl, .gltf, .glb, .fbx and more).",
           .button = "Open",
-          .extensions = {kOpened.begin(), kOpened.end()},
+          .extensions = std::move(extensions),
           .folder = start_folder(document)};
 }
 

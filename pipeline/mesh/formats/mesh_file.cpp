@@ -1,104 +1,97 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/mesh/formats/mesh_file.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
-#include "pipeline/mesh/formats/isolated_call.h"
-#include "pipeline/mesh/formats/mesh_reader.h"
-#include "pipeline/mesh/formats/mesh_source.h"
-#include "pipeline/mesh/formats/soup_transfer.h"
-#include "pipeline/mesh/polygon_soup.h"
+#include "pipeline/mesh/formats/mesh_readers.h"
+#include "pipeline/mesh/formats/scene_import.h"
+#include "pipeline/mesh/mesh_from_soup.h"
 
 namespace inkbench {
 namespace {
 
-constexpr uintmax_t kMaxFileBytes = uintmax_t{2} << 30;
-constexpr const char* kKnownFormats = "known formats are .obj, .ply, .off and .stl";
+using Reader = PolygonSoup (*)(const std::string& name, std::string_view raw);
 
-MeshFormat format_of(const fs::path& path) {
-  const std::string extension = lower_case(path.extension().string());
-  if (extension == ".obj") return MeshFormat::obj;
-  if (extension == ".ply") return MeshFormat::ply;
-  if (extension == ".off") return MeshFormat::off;
-  if (extension == ".stl") return MeshFormat::stl;
-  throw input_error(path.string(), "unknown mesh format '" + extension + "'", kKnownFormats);
+struct OwnFormat {
+  std::string_view extension;
+  Reader read;
+};
+
+constexpr std::array<OwnFormat, 4> kOwnFormats{
+    {{".obj", read_obj}, {".ply", read_ply}, {".off", read_off}, {".stl", read_stl}}};
+
+std::vector<std::string> texts(std::span<const std::string_view> words) {
+  return {words.begin(), words.end()};
 }
 
-std::string read_raw(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::exists(status) && !fs::is_directory(status)) {
-    if (!fs::is_regular_file(status)) throw input_error(path.string(), "is not a regular file");
-    const uintmax_t size = fs::file_size(path, error);
-    if (error) throw input_error(path.string(), "cannot be opened: " + error.message());
-    if (size == 0) throw input_error(path.string(), "is empty", "a mesh file is needed");
-    if (size > kMaxFileBytes) {
-      throw input_error(path.string(), "is larger than 2 GB: " + readable_bytes(static_cast<double>(size)),
-                        "reduce the mesh first");
-    }
-  }
-  return read_file(path);
-}
-
-/// Far from what good files take (30 MB a second, 2 bytes of memory for each of the file), so that only a
-/// reader gone astray meets them.
-IsolationLimits limits_for(const MeshSource& source) {
-  const size_t megabytes = source.bytes.size() >> 20;
-  return {std::chrono::seconds(10 + 2 * megabytes), (size_t{256} << 20) + 32 * source.bytes.size()};
-}
-
-PolygonSoup read_isolated(const MeshSource& source, const std::string& name) {
-  const IsolatedResult result = call_isolated(
-      [&](const ByteSink& sink) { send_soup(read_with_openmesh(source), sink); }, limits_for(source));
-  switch (result.end) {
-    case IsolatedEnd::returned:
-      return receive_soup(result.bytes);
-    case IsolatedEnd::threw:
-      throw input_error(name, result.text());
-    case IsolatedEnd::out_of_memory:
-      throw input_error(name, "reading it needs more memory than its size can justify",
-                        "is the file damaged?");
-    case IsolatedEnd::crashed:
-      throw input_error(name, "OpenMesh's reader crashed on it", "is the file damaged?");
-    case IsolatedEnd::timed_out:
-      break;
-  }
-  throw input_error(name, "OpenMesh's reader did not come to an end", "is the file damaged?");
-}
-
-/// The readers for OBJ and STL silently leave out faces naming a vertex twice; the others must return each
-/// one.
-void account_for_faces(const MeshSource& source, PolygonSoup& soup, const std::string& name) {
-  const bool merges_corners = source.format == MeshFormat::stl;
-  const bool leaves_out = merges_corners || source.format == MeshFormat::obj;
-  const uint64_t read = soup.corner_counts.size();
-  const bool all_vertices = merges_corners || soup.points.size() == source.vertices;
-  if (!all_vertices || read > source.faces || (read < source.faces && !leaves_out)) {
-    throw input_error(name, fmt::format("OpenMesh read {} vertices and {} faces where the file has {} and {}",
-                                        soup.points.size(), read, source.vertices, source.faces));
-  }
-  soup.empty_polygons += source.faces - read + source.skipped_faces;
-}
-
-PolygonSoup read_soup(const fs::path& path) {
-  const std::string name = path.string();
-  const MeshFormat format = format_of(path);
-  const MeshSource source = prepare_mesh(format, name, read_raw(path));
-  PolygonSoup soup = read_isolated(source, name);
-  account_for_faces(source, soup, name);
-  soup.corners_are_rounded = format == MeshFormat::stl;
-  return soup;
+/// Text that editors of Windows save so is full of zero bytes, which readers would take for a binary file.
+void check_encoding(const std::string& name, std::string_view raw) {
+  if (raw.starts_with("\xFF\xFE") || raw.starts_with("\xFE\xFF"))
+    throw input_error(name, "is text in UTF-16", "save it as UTF-8");
 }
 
 }  // namespace
 
-Mesh load_mesh_file(const fs::path& path, const MeshOptions& options) {
-  return mesh_from_soup(read_soup(path), path.string(), options);
+void check_mesh_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status) || fs::is_directory(status)) read_file(path);  // which says so
+  if (!fs::is_regular_file(status)) throw input_error(path.string(), "is not a regular file");
+  const uintmax_t size = fs::file_size(path, error);
+  if (error) throw input_error(path.string(), "cannot be opened: " + error.message());
+  if (size == 0) throw input_error(path.string(), "is empty", "a mesh file is needed");
+  if (size > kMostMeshBytes) {
+    throw input_error(path.string(), "is larger than 2 GB: " + readable_bytes(static_cast<double>(size)),
+                      "reduce the mesh first");
+  }
+}
+
+std::vector<std::string_view> mesh_endings() {
+  std::vector<std::string_view> endings;
+  for (const OwnFormat& format : kOwnFormats) endings.push_back(format.extension);
+  endings.insert(endings.end(), imported_endings().begin(), imported_endings().end());
+  return endings;
+}
+
+std::string known_mesh_formats() {
+  const std::vector<std::string_view> endings = mesh_endings();
+  return join(texts(endings), ", ");
+}
+
+bool is_mesh_name(const fs::path& path) {
+  const std::vector<std::string_view> endings = mesh_endings();
+  return std::ranges::find(endings, lower_case(path.extension().string())) != endings.end();
+}
+
+PolygonSoup read_mesh_soup(const fs::path& path, const std::string& part) {
+  const std::string name = path.string();
+  if (is_imported(path)) {
+    const std::shared_ptr<const ImportedScene> scene = import_scene(path);
+    return part.empty() ? joined_soup(*scene) : find_part(*scene, part, name).soup;
+  }
+  const std::string extension = lower_case(path.extension().string());
+  const auto format = std::ranges::find(kOwnFormats, extension, &OwnFormat::extension);
+  if (format == kOwnFormats.end()) {
+    throw input_error(name, "unknown mesh format '" + extension + "'",
+                      "known formats are " + known_mesh_formats());
+  }
+  if (!part.empty()) {
+    throw input_error(name, "has no parts, so none is '" + part + "'",
+                      "only files of these formats have parts: " + join(texts(imported_endings()), ", "));
+  }
+  check_mesh_file(path);
+  const std::string raw = read_file(path, kMostMeshBytes);
+  check_encoding(name, raw);
+  return format->read(name, raw);
+}
+
+Mesh load_mesh_file(const fs::path& path, const MeshOptions& options, const std::string& part) {
+  return mesh_from_soup(read_mesh_soup(path, part), path.string(), options);
 }
 
 fs::path find_rabbit() {

@@ -7,6 +7,8 @@
 #include <array>
 #include <span>
 
+#include "pipeline/mesh/formats/text_numbers.h"
+
 namespace inkbench {
 namespace {
 
@@ -15,27 +17,31 @@ struct TypeName {
   PlyType type;
 };
 
-constexpr std::array<TypeName, 16> kTypes{{{"char", {1, true, "char"}},
-                                           {"int8", {1, true, "char"}},
-                                           {"uchar", {1, true, "uchar"}},
-                                           {"uint8", {1, true, "uchar"}},
-                                           {"short", {2, true, "short"}},
-                                           {"int16", {2, true, "short"}},
-                                           {"ushort", {2, true, "ushort"}},
-                                           {"uint16", {2, true, "ushort"}},
-                                           {"int", {4, true, "int"}},
-                                           {"int32", {4, true, "int"}},
-                                           {"uint", {4, true, "uint"}},
-                                           {"uint32", {4, true, "uint"}},
-                                           {"float", {4, false, "float"}},
-                                           {"float32", {4, false, "float"}},
-                                           {"double", {8, false, "double"}},
-                                           {"float64", {8, false, "double"}}}};
+constexpr std::array<TypeName, 16> kTypes{{{"char", {1, true, true}},
+                                           {"int8", {1, true, true}},
+                                           {"uchar", {1, true, false}},
+                                           {"uint8", {1, true, false}},
+                                           {"short", {2, true, true}},
+                                           {"int16", {2, true, true}},
+                                           {"ushort", {2, true, false}},
+                                           {"uint16", {2, true, false}},
+                                           {"int", {4, true, true}},
+                                           {"int32", {4, true, true}},
+                                           {"uint", {4, true, false}},
+                                           {"uint32", {4, true, false}},
+                                           {"float", {4, false, true}},
+                                           {"float32", {4, false, true}},
+                                           {"double", {8, false, true}},
+                                           {"float64", {8, false, true}}}};
 
-/// OpenMesh takes list counts of three types only; lengths are not negative, so the sign does not matter.
-const char* count_name(const PlyType& type) {
-  if (type.bytes == 1) return "uchar";
-  return type.bytes == 2 ? "uint16" : "int";
+constexpr std::array<std::string_view, 3> kCoordinates{"x", "y", "z"};
+constexpr std::array<std::string_view, 3> kNormal{"nx", "ny", "nz"};
+constexpr const char* kCornerList = "'property list uchar int vertex_indices', once";
+
+PlyKind kind_of_element(std::string_view name) {
+  if (name == "vertex") return PlyKind::vertices;
+  if (name == "face") return PlyKind::faces;
+  return name == "tristrips" ? PlyKind::strips : PlyKind::other;
 }
 
 class HeaderReader {
@@ -43,38 +49,48 @@ class HeaderReader {
   explicit HeaderReader(TextCursor& cursor) : cursor_(cursor) {}
 
   PlyHeader read() {
-    read_format();
-    while (true) {
-      if (!cursor_.next_line()) throw cursor_.error("truncated: the PLY header has no 'end_header'");
-      const std::string_view keyword = cursor_.token();
-      if (keyword == "end_header") break;
-      if (keyword == "element") {
-        read_element();
-      } else if (keyword == "property") {
-        read_property();
-      } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        throw cursor_.error(shown(keyword) + " has no place in a PLY header",
-                            "format, comment, element, property or end_header");
-      }
-    }
-    forget_what_follows_faces();
-    check_vertices();
-    check_faces();
-    return std::move(header_);
-  }
-
- private:
-  void read_format() {
-    const bool has_line = cursor_.next_line();
-    const std::string_view magic = has_line ? cursor_.token() : std::string_view();
+    const std::string_view magic = cursor_.token();
     if (magic != "ply" && magic != "PLY") {
       throw input_error(cursor_.name(), "does not begin with 'ply': not a PLY file",
                         "the first line must be ply");
     }
-    const std::string_view keyword = cursor_.token_across_lines();
+    bool is_open = true;
+    while (is_open) {
+      if (!cursor_.next_line()) throw cursor_.error("truncated: the PLY header has no 'end_header'");
+      is_open = take_line();
+    }
+    if (!has_format_) {
+      throw input_error(cursor_.name(), "the PLY header has no format line", "'format ascii 1.0' or binary");
+    }
+    check_kinds();
+    for (PlyElement& element : header_.elements) find_uses(element);
+    forget_what_is_not_needed();
+    return std::move(header_);
+  }
+
+ private:
+  /// False at the header's end.
+  bool take_line() {
+    const std::string_view keyword = cursor_.token();
+    if (keyword == "end_header") return false;
+    if (keyword == "format") {
+      read_format();
+    } else if (keyword == "element") {
+      read_element();
+    } else if (keyword == "property") {
+      read_property();
+    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info" &&
+               !header_.elements.empty()) {
+      // Before the first element it is a comment without the word for one, as old versions of Blender wrote.
+      throw cursor_.error(shown(keyword) + " has no place in a PLY header",
+                          "format, comment, element, property or end_header");
+    }
+    return true;
+  }
+
+  void read_format() {
     const std::string_view encoding = cursor_.token();
-    if (keyword != "format")
-      throw cursor_.error("the PLY header has no format line", "'format ascii 1.0' or binary");
+    has_format_ = true;
     if (encoding == "binary_little_endian") {
       header_.encoding = PlyEncoding::little_endian;
     } else if (encoding == "binary_big_endian") {
@@ -93,118 +109,118 @@ class HeaderReader {
     for (const PlyElement& element : header_.elements) {
       if (element.name == name) throw cursor_.error("element " + shown(name) + " is announced twice");
     }
-    header_.elements.push_back({name, *count, {}});
+    header_.elements.push_back({name, *count, {}, kind_of_element(name)});
   }
 
-  PlyType read_type() {
-    const std::string_view token = cursor_.token();
+  static PlyType find_type(const TextCursor& cursor, std::string_view token) {
     const auto found = std::ranges::find(kTypes, token, &TypeName::spelling);
-    if (found == kTypes.end()) throw cursor_.error("unknown PLY type " + shown(token));
+    if (found == kTypes.end()) throw cursor.error("unknown PLY type " + shown(token));
     return found->type;
   }
 
   void read_property() {
     if (header_.elements.empty()) throw cursor_.error("a property without an element before it");
     PlyProperty property;
-    TextCursor ahead = cursor_;
-    property.is_list = ahead.token() == "list";
+    std::string_view type = cursor_.token();
+    property.is_list = type == "list";
     if (property.is_list) {
-      cursor_.token();
-      property.count_type = read_type();
+      property.count_type = find_type(cursor_, cursor_.token());
       if (!property.count_type.is_integer) throw cursor_.error("a list's length must have an integer type");
+      type = cursor_.token();
     }
-    property.type = read_type();
+    property.type = find_type(cursor_, type);
     property.name = cursor_.token();
     if (property.name.empty()) throw cursor_.error("a property without a name");
     header_.elements.back().properties.push_back(property);
   }
 
-  PlyElement* find(const std::string& name) {
-    const auto found = std::ranges::find(header_.elements, name, &PlyElement::name);
-    return found == header_.elements.end() ? nullptr : &*found;
+  bool has(PlyKind kind) const {
+    return std::ranges::find(header_.elements, kind, &PlyElement::kind) != header_.elements.end();
   }
 
-  void forget_what_follows_faces() {
-    const PlyElement* face = find("face");
-    if (face == nullptr || find("vertex") == nullptr) {
-      throw input_error(cursor_.name(), "the PLY header announces no vertices or no faces",
-                        "a mesh needs both");
+  void check_kinds() const {
+    if (std::ranges::find(header_.elements, "range_grid", &PlyElement::name) != header_.elements.end()) {
+      throw input_error(cursor_.name(), "holds a range scan ('range_grid'), not a mesh",
+                        "make a mesh of the scan first");
     }
-    if (find("vertex") > face) {
-      throw input_error(cursor_.name(), "the PLY file has its faces before its vertices",
-                        "vertices must come first");
+    if (!has(PlyKind::vertices)) {
+      throw input_error(cursor_.name(), "the PLY header announces no vertices", "a mesh needs them");
     }
-    header_.elements.resize(static_cast<size_t>(face - header_.elements.data()) + 1);
+    if (!has(PlyKind::faces) && !has(PlyKind::strips)) {
+      throw input_error(cursor_.name(), "the PLY header announces no faces: a point cloud?",
+                        "a mesh needs elements 'face' or 'tristrips'");
+    }
   }
 
-  /// Marks the named properties if the element has each of them just once, as a float or double.
-  bool keep_numbers(PlyElement& element, std::span<const std::string_view> names) {
+  void find_uses(PlyElement& element) {
+    if (element.kind == PlyKind::vertices) return find_coordinates(element);
+    if (element.kind != PlyKind::other) find_corners(element);
+  }
+
+  /// Marks the named properties if the element has each of them just once, as a single number.
+  static bool use_numbers(PlyElement& element, std::span<const std::string_view> names, int first_slot) {
     std::vector<PlyProperty*> found;
-    for (PlyProperty& property : element.properties) {
-      const bool wanted = std::ranges::find(names, property.name) != names.end();
-      if (wanted && !property.is_list && !property.type.is_integer) found.push_back(&property);
+    for (const std::string_view name : names) {
+      for (PlyProperty& property : element.properties) {
+        if (property.name == name && !property.is_list) found.push_back(&property);
+      }
     }
-    std::vector<std::string_view> distinct;
-    for (const PlyProperty* property : found) {
-      if (std::ranges::find(distinct, property->name) == distinct.end()) distinct.push_back(property->name);
+    const bool is_whole =
+        found.size() == names.size() && std::ranges::equal(found, names, {}, &PlyProperty::name);
+    if (!is_whole) return false;
+    for (size_t i = 0; i < found.size(); ++i) {
+      found[i]->use = PlyUse::number;
+      found[i]->slot = first_slot + static_cast<int>(i);
     }
-    if (found.size() != names.size() || distinct.size() != names.size()) return false;
-    for (PlyProperty* property : found) property->is_kept = true;
     return true;
   }
 
-  void check_vertices() {
-    static constexpr std::array<std::string_view, 3> kCoordinates{"x", "y", "z"};
-    static constexpr std::array<std::string_view, 3> kNormal{"nx", "ny", "nz"};
-    PlyElement& vertex = *find("vertex");
-    if (!keep_numbers(vertex, kCoordinates)) {
-      throw input_error(cursor_.name(), "the PLY vertices lack one of x, y and z as float or double",
-                        "each must be there once");
+  void find_coordinates(PlyElement& vertices) {
+    if (!use_numbers(vertices, kCoordinates, 0)) {
+      throw input_error(cursor_.name(), "the PLY vertices lack one of x, y and z",
+                        "each must be there once, as a number");
     }
-    keep_numbers(vertex, kNormal);
+    header_.has_normals = use_numbers(vertices, kNormal, 3);
   }
 
-  void check_faces() {
+  void find_corners(PlyElement& element) const {
     uint64_t lists = 0;
-    for (PlyProperty& property : header_.elements.back().properties) {
+    for (PlyProperty& property : element.properties) {
       if (property.name != "vertex_index" && property.name != "vertex_indices") continue;
-      property.is_kept = property.is_list && property.type.is_integer;
-      lists += property.is_kept ? 1 : 0;
+      if (!property.is_list || !property.type.is_integer) {
+        throw input_error(cursor_.name(),
+                          fmt::format("the PLY property '{}' is no list of whole numbers", property.name),
+                          kCornerList);
+      }
+      property.use = PlyUse::corners;
+      ++lists;
     }
-    if (lists != 1) {
-      throw input_error(cursor_.name(), "the PLY faces have no list of vertex indices",
-                        "'property list uchar int vertex_indices', once");
-    }
+    if (lists == 1) return;
+    throw input_error(cursor_.name(),
+                      fmt::format("the PLY elements '{}' have {} vertex indices", element.name,
+                                  lists == 0 ? "no list of" : "two lists of"),
+                      kCornerList);
+  }
+
+  void forget_what_is_not_needed() {
+    while (header_.elements.back().kind == PlyKind::other) header_.elements.pop_back();
   }
 
   TextCursor& cursor_;
   PlyHeader header_;
+  bool has_format_ = false;
 };
 
 }  // namespace
 
-const PlyElement& PlyHeader::vertices() const {
-  return *std::ranges::find(elements, "vertex", &PlyElement::name);
+uint64_t PlyHeader::count(PlyKind kind) const {
+  uint64_t sum = 0;
+  for (const PlyElement& element : elements) sum += element.kind == kind ? element.count : 0;
+  return sum;
 }
 
 PlyHeader read_ply_header(TextCursor& cursor) {
   return HeaderReader(cursor).read();
-}
-
-std::string plain_ply_header(const PlyHeader& header) {
-  static constexpr std::array<const char*, 3> kEncodings{"ascii", "binary_little_endian",
-                                                         "binary_big_endian"};
-  std::string text = fmt::format("ply\nformat {} 1.0\n", kEncodings[static_cast<size_t>(header.encoding)]);
-  for (const PlyElement* element : {&header.vertices(), &header.faces()}) {
-    text += fmt::format("element {} {}\n", element->name, element->count);
-    for (const PlyProperty& property : element->properties) {
-      if (!property.is_kept) continue;
-      const std::string list =
-          property.is_list ? fmt::format("list {} ", count_name(property.count_type)) : "";
-      text += fmt::format("property {}{} {}\n", list, property.type.name, property.name);
-    }
-  }
-  return text + "end_header\n";
 }
 
 }  // namespace inkbench

@@ -49,7 +49,7 @@ Mesh make_shape(const ModelParams& model) {
 
 Mesh make_model_mesh(const ModelParams& model) {
   const MeshOptions options = mesh_options(model);
-  if (model.shape == Shape::mesh) return load_mesh_file(mesh_path(model.mesh), options);
+  if (model.shape == Shape::mesh) return load_mesh_file(mesh_path(model.mesh), options, model.part);
   Mesh mesh = make_shape(model);
   if (!options.use_file_normals) recompute_normals(mesh, {options.smooth_below_deg, {}});
   return mesh;

@@ -22,6 +22,7 @@ void replace_main_mesh(Settings& settings, const std::filesystem::path& mesh) {
     model.anchor = Anchor::base;
   }
   model.shape = Shape::mesh;
+  model.part.clear();
   // What was said of the old mesh's surface does not hold for the new one.
   const ModelParams fresh;
   model.normals = fresh.normals;

@@ -13,6 +13,7 @@
 #include "pipeline/base/text.h"
 #include "pipeline/mesh/closed.h"
 #include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/formats/scene_import.h"
 #include "pipeline/mesh/levels/model_mesh.h"
 
 namespace inkbench {
@@ -55,7 +56,7 @@ void GpuMesh::draw() const {
   glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
-Key MeshStore::content_key(const std::string& path) {
+Key MeshStore::file_key(const std::string& path) {
   std::error_code error;
   const auto size = static_cast<int64_t>(fs::file_size(path, error));
   const int64_t time = error ? 0 : fs::last_write_time(path, error).time_since_epoch().count();
@@ -69,9 +70,22 @@ Key MeshStore::content_key(const std::string& path) {
     known->second.is_gone = false;
     return known->second.content;
   }
+  check_mesh_file(path);
   const Key content = KeyBuilder().add(read_file(path, kMostMeshBytes)).key();
-  files_[path] = {size, time, content};
+  std::vector<fs::path> read_with = files_read_with(path);
+  read_with.erase(read_with.begin());
+  files_[path] = {size, time, content, std::move(read_with)};
   return content;
+}
+
+Key MeshStore::content_key(const std::string& path) {
+  const Key own = file_key(path);
+  const std::vector<fs::path> read_with = files_.at(path).read_with;
+  if (read_with.empty()) return own;
+  KeyBuilder builder;
+  builder.add(own);
+  for (const fs::path& file : read_with) builder.add(file_key(file.string()));
+  return builder.key();
 }
 
 bool MeshStore::can_get(const ModelParams& model, const MeshParams& level) {
@@ -89,7 +103,7 @@ Key MeshStore::full_identity(const ModelParams& model) {
   builder.add(std::to_string(static_cast<int>(model.normals))).add(shortest(model.smooth_angle));
   builder.add(std::to_string(static_cast<int>(model.orient)));
   if (model.shape == Shape::mesh) {
-    return builder.add(content_key(mesh_path(model.mesh).string())).key();
+    return builder.add(content_key(mesh_path(model.mesh).string())).add(model.part).key();
   }
   return builder.add(std::to_string(model.segments))
       .add(shortest(model.fillet))

@@ -2,10 +2,13 @@
 // Meshes on the GPU and in memory, loaded once for as long as the settings use them.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "pipeline/base/key.h"
 #include "pipeline/gl/object.h"
@@ -72,12 +75,14 @@ class MeshStore {
   struct FileState {
     int64_t size = 0, time = 0;
     Key content;
-    bool is_gone = false;  ///< And that was told.
+    std::vector<std::filesystem::path> read_with;  ///< Other files that belong to it (`files_read_with`).
+    bool is_gone = false;                          ///< And that was told.
   };
   struct Held {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const GpuMesh> gpu;
   };
+  Key file_key(const std::string& path);
   std::shared_ptr<const GpuMesh> hold(const Key& key, const ModelParams& model,
                                       std::shared_ptr<const Mesh> mesh, const Bounds& placement);
   std::shared_ptr<const Mesh> make_mesh(const ModelParams& model, const MeshParams& level);
