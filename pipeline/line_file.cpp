@@ -65,6 +65,7 @@ LineFile read_classes(const fs::path& path) {
   file.classes = {image.channels == 1 ? pixels_of_numbers(path, image) : pixels_of_colours(path),
                   read_origin(path).settings.judge};
   file.lines = tier_map(file.classes->pixels, file.classes->judge, 1);
+  if (file.lines.count() == 0) file.notes.push_back(path.string() + " has no line that is wanted");
   return file;
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "pipeline/passes/edges/combine.h"
+#include "pipeline/passes/edges/drawn_lines.h"
 #include "pipeline/passes/edges/gradient.h"
-#include "pipeline/passes/edges/lines.h"
 #include "pipeline/passes/edges/range.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/passes/gbuffer/meshes.h"

@@ -120,6 +120,7 @@ class Fonts {
   std::map<std::tuple<Face, int, char32_t>, int> advances_;
 };
 
+/// As many as fit; of a path its last whole folder is the end.
 std::string_view first_characters(std::string_view word, int width_px, int size_px, Face face) {
   size_t end = character_bytes(word, 0);  // At least one, or wrapping would not end.
   while (end < word.size()) {
@@ -127,7 +128,8 @@ std::string_view first_characters(std::string_view word, int width_px, int size_
     if (text_width_px(word.substr(0, next), size_px, face) > width_px) break;
     end = next;
   }
-  return word.substr(0, end);
+  const size_t slash = end < word.size() ? word.rfind('/', end - 1) : std::string_view::npos;
+  return word.substr(0, slash == std::string_view::npos ? end : slash + 1);
 }
 
 void wrap_paragraph(const std::string& paragraph, int width_px, int size_px, Face face,

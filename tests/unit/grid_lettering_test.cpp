@@ -37,6 +37,11 @@ TEST(Lettering, word_wider_than_the_line_is_broken_between_characters) {
   EXPECT_THAT(wrapped("abc", 1, 20, Face::regular), ElementsAre("a", "b", "c"));
 }
 
+TEST(Lettering, path_wider_than_the_line_is_broken_behind_a_folder) {
+  const int width = text_width_px("folder/fi", 20, Face::regular);
+  EXPECT_THAT(wrapped("folder/file.obj", width, 20, Face::regular), ElementsAre("folder/", "file.obj"));
+}
+
 TEST(Lettering, no_wrapped_line_is_wider_than_asked) {
   const std::string text = "k_depth = 0.003 and k_normal = 0.05, withoutanynormalmapwhatsoever, (too large)";
   for (int width = 40; width < 400; width += 7) {

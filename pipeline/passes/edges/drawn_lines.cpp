@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pipeline/passes/edges/lines.h"
+#include "pipeline/passes/edges/drawn_lines.h"
 
 #include "pipeline/flow/describe_pass.h"
 #include "pipeline/gl/framebuffer.h"
