@@ -34,19 +34,25 @@ Session Keeping::start() {
   kept_ = session;
   if (store_ != nullptr) {
     notes_.insert(notes_.end(), store_->notes().begin(), store_->notes().end());
-    drop_known_work(session.settings);
+    drop_known_work(session);
   }
   saved_layout_ = session.layout;
   return session;
 }
 
-/// Work that differs from what comes back anyway only in the window's sizes is not worth a question; its
-/// recent files and bookmarks are kept.
-void Keeping::drop_known_work(const Settings& settings) {
+/// Work that differs from what comes back anyway only in the window's layout is not worth a question: the
+/// newest layout, recent files and bookmarks are kept.
+void Keeping::drop_known_work(Session& session) {
+  std::error_code error;
+  auto layout_time = std::filesystem::last_write_time(folder_ / "session.toml", error);
   for (size_t i = store_->unsaved().size(); i-- > 0;) {
-    const Session& session = store_->unsaved()[i].session;
-    if (!same_settings(session.settings, settings)) continue;
-    merge_lists({}, session, kept_);
+    const UnsavedWork& work = store_->unsaved()[i];
+    if (!same_settings(work.session.settings, session.settings)) continue;
+    merge_lists({}, work.session, kept_);
+    if (work.time > layout_time) {
+      session.layout = work.session.layout;
+      layout_time = work.time;
+    }
     store_->forget_unsaved(i);
   }
 }

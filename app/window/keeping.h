@@ -50,7 +50,7 @@ class Keeping {
 
  private:
   Session session_of(const Document& document, const WindowLayout& layout) const;
-  void drop_known_work(const Settings& settings);
+  void drop_known_work(Session& session);
   void save_now(const Document& document, const WindowLayout& layout);
 
   std::filesystem::path folder_;

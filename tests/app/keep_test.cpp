@@ -136,6 +136,22 @@ TEST_F(AppKeep, work_of_a_killed_window_can_be_discarded) {
   EXPECT_EQ(state()["unsaved"], 0);
 }
 
+TEST_F(AppKeep, layout_of_a_killed_window_comes_back_without_a_question) {
+  open();
+  quit();
+  open_with({});
+  const Place edge = place("divider:left");
+  drag(edge, {edge.x + 60, edge.y});
+  const Json before = settled();
+  const fs::path autosave = file("config") / "inkbench/windows/1/autosave.toml";
+  for (int i = 0; i < 500 && !fs::exists(autosave); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  kill_program();
+  open_with({});
+  EXPECT_EQ(state()["layout"], before["layout"]);
+  EXPECT_EQ(state()["unsaved"], 0);
+}
+
 TEST_F(AppKeep, a_preset_is_saved_compared_loaded_and_deleted) {
   open();
   const std::string before = k_normal(state());
