@@ -51,6 +51,7 @@ int finish_output(int status) {
   flush_out();
   note_failure(std::ferror(stdout) == 0);  // what others printed
   if (output_errno() == 0) return status;
+  if (output_errno() == EPIPE) return status == 0 ? 1 : status;  // a reader that has seen enough, like `head`
   return fail("standard output: cannot be written; " + system_reason(output_errno()), 1);
 }
 

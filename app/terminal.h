@@ -33,7 +33,7 @@ void flush_out();
 int fail(std::string_view message, int status);
 
 /// Hands on all that was printed. Returns `status`, or 1, with a message, where standard output did not take
-/// it all.
+/// it all; without one where its reader went away.
 int finish_output(int status);
 
 /// Opens those of the three standard descriptors that are closed on /dev/null, so that no file or pipe of

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "pipeline/base/memory_room.h"
 #include "pipeline/gl/context.h"
 #include "pipeline/gl/gl_context.h"
@@ -18,9 +20,9 @@ namespace {
 constexpr double kBytesPerPixel = 88;
 
 /// Is the renderer a program of the processor, with textures in its memory?
-bool draws_in_memory() {
-  const std::string name = renderer_info().renderer;
-  return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+bool draws_in_memory(const RendererInfo& info) {
+  return info.renderer.find("llvmpipe") != std::string::npos ||
+         info.renderer.find("softpipe") != std::string::npos;
 }
 
 /// The gain and offset that show the range, if one is wanted.
@@ -88,7 +90,9 @@ Frame Pipeline::at(const Settings& settings, const Frame& previous) {
 void Pipeline::check_room(const ImageParams& image) {
   const double pixels = static_cast<double>(image.width) * image.height;
   if (pixels <= drawn_px_) return;
-  if (draws_in_memory()) {
+  const RendererInfo info = renderer_info();
+  const bool is_possible = std::max(image.width, image.height) <= info.max_side_px;  // else the pass says so
+  if (is_possible && draws_in_memory(info)) {
     check_memory(kBytesPerPixel * pixels, "image.width, image.height",
                  fmt::format("drawing {} x {} px", image.width, image.height), "choose a smaller image");
   }

@@ -112,9 +112,12 @@ StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Cel
       varied_(varied_keys(spec)),
       numbers_(number_columns(spec)) {
   make_inner_folder(folder_ / "cells");
-  make_inner_folder(folder_ / "tiles");
+  // Tiles and charts are made where they are needed: here their folders are looked at alone.
+  std::error_code error;
+  for (const char* later : {"tiles", "charts"}) {
+    if (fs::is_symlink(fs::symlink_status(folder_ / later, error))) make_inner_folder(folder_ / later);
+  }
   if (finds_lines(spec_)) make_inner_folder(folder_ / "reference");
-  if (!spec_.charts.empty()) make_inner_folder(folder_ / "charts");
   if (!fresh) take_journal(read_journal(folder_ / kJournal));
   remove_stale_files();
   rewrite();

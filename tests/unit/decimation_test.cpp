@@ -377,5 +377,30 @@ TEST(Decimation, a_mesh_without_triangles_has_an_empty_record) {
   EXPECT_TRUE(mesh_at_level(Mesh(), record, 10).triangles.empty());
 }
 
+/// Two cones on one ring: its tips have `sides` faces each.
+Mesh double_cone(uint32_t sides) {
+  Mesh mesh;
+  for (uint32_t i = 0; i < sides; ++i) {
+    const double angle = 6.283185307179586 * i / sides;
+    mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0.01 * std::sin(7 * angle));
+    const uint32_t next = (i + 1) % sides;
+    mesh.triangles.push_back({i, next, sides});
+    mesh.triangles.push_back({next, i, sides + 1});
+  }
+  mesh.positions.emplace_back(0, 0, 1);
+  mesh.positions.emplace_back(0, 0, -1);
+  smooth_normals(mesh);
+  return mesh;
+}
+
+// Asking about each edge of a tip with each that goes would take hours.
+TEST(Decimation, takes_no_longer_where_a_vertex_has_thousands_of_faces) {
+  const Mesh mesh = double_cone(4000);
+  const CollapseRecord record = record_collapses(mesh);
+  const Mesh level = mesh_at_level(mesh, record, 100);
+  EXPECT_LE(level.triangles.size(), 100U);
+  EXPECT_TRUE(is_closed_outwards(level));
+}
+
 }  // namespace
 }  // namespace inkbench
