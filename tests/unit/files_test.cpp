@@ -205,7 +205,7 @@ TEST(Files, temporary_names_differ_and_a_planted_link_is_not_followed) {
   EXPECT_GE(names[0].size(), std::string("file.part").size() + 16) << "too short to be beyond guessing";
   folder.write("elsewhere", "theirs");
   fs::create_symlink("elsewhere", folder.path() / "file");
-  second.append(bytes_of("ours"));
+  second.append(text_bytes("ours"));
   second.commit();
   EXPECT_FALSE(fs::is_symlink(folder.path() / "file"));
   EXPECT_EQ(read_file(folder.path() / "elsewhere"), "theirs");
@@ -222,7 +222,7 @@ TEST(Files, what_a_killed_writer_left_is_removed_and_what_a_living_one_writes_is
   EXPECT_THAT(names_in(folder.path()),
               UnorderedElementsAre("c.part", "d.part12", "e.partly-1", "f.part0123456789abcdeX",
                                    "g.part0123456789abcdef", StartsWith("h.part")));
-  living.append(bytes_of("whole"));
+  living.append(text_bytes("whole"));
   living.commit();
   EXPECT_EQ(read_file(folder.path() / "h"), "whole");
 }
