@@ -4,32 +4,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
 #include "pipeline/export.h"
+#include "pipeline/image/image_content.h"
 #include "pipeline/image/image_file.h"
 #include "pipeline/lines/class_pixels.h"
 
 namespace inkbench {
 namespace {
 
-namespace fs = std::filesystem;
-
 double share(const LineMap& map) {
   const double pixels = static_cast<double>(map.width_px()) * map.height_px();
   return static_cast<double>(map.count()) / pixels;
 }
 
-/// Where a pixel holds what no classes have, the file is not as it was written.
-[[noreturn]] void throw_changed(const fs::path& path, size_t pixel, int width_px) {
-  const size_t width = static_cast<size_t>(width_px);
-  throw input_error(path.string(),
-                    fmt::format("says that it is inkbench's reference, but pixel {}, {} has the colour of no "
-                                "class: it was changed",
-                                pixel % width, pixel / width),
+[[noreturn]] void throw_changed(const fs::path& path, const std::string& why) {
+  throw input_error(path.string(), "says that it is inkbench's reference, but " + why + ": it was changed",
                     "write it again with `inkbench render --buffers reference`");
+}
+
+/// Where a pixel holds what no classes have, the file is not as it was written.
+[[noreturn]] void throw_changed_pixel(const fs::path& path, size_t pixel, int width_px) {
+  const auto width = static_cast<size_t>(width_px);
+  throw_changed(path, fmt::format("pixel {}, {} has the colour of no class", pixel % width, pixel / width));
 }
 
 Picture pixels_of_colours(const fs::path& path) {
@@ -38,20 +38,31 @@ Picture pixels_of_colours(const fs::path& path) {
   for (size_t i = 0; i < pixels.samples.size(); ++i) {
     const uint8_t* from = &picture.samples[3 * i];
     const std::optional<ClassBits> classes = classes_of_colour({from[0], from[1], from[2]});
-    if (!classes) throw_changed(path, i, picture.width_px);
+    if (!classes) throw_changed_pixel(path, i, picture.width_px);
     pixels.samples[i] = *classes;
   }
   return pixels;
 }
 
-Picture pixels_of_numbers(const fs::path& path, const Image& image) {
+Picture pixels_of_numbers(const fs::path& path) {
+  const Image image = read_image(path);
   Picture pixels(image.width_px, image.height_px, 1);
   for (size_t i = 0; i < pixels.samples.size(); ++i) {
     const std::optional<ClassBits> classes = classes_of_number(image.samples[i]);
-    if (!classes) throw_changed(path, i, image.width_px);
+    if (!classes) throw_changed_pixel(path, i, image.width_px);
     pixels.samples[i] = *classes;
   }
   return pixels;
+}
+
+/// EXR files of one channel hold numbers, and all others colours: a number that was clamped or a colour that
+/// became grey looks like classes and is none.
+Picture read_class_pixels(const fs::path& path) {
+  const int channels = image_channels(path);
+  const bool is_exr = image_format(read_file(path)) == "openexr";
+  if (is_exr && channels == 1) return pixels_of_numbers(path);
+  if (channels < 3) throw_changed(path, "it is grey");
+  return pixels_of_colours(path);
 }
 
 LineFile read_classes(const fs::path& path) {
@@ -60,10 +71,8 @@ LineFile read_classes(const fs::path& path) {
                       "is a reference that another version wrote, which does not say all classes",
                       "write it again with `inkbench render --buffers reference --from` this file");
   }
-  const Image image = read_image(path);
   LineFile file{.buffer = BufferName::reference};
-  file.classes = {image.channels == 1 ? pixels_of_numbers(path, image) : pixels_of_colours(path),
-                  read_origin(path).settings.judge};
+  file.classes = {read_class_pixels(path), read_origin(path).settings.judge};
   file.lines = tier_map(file.classes->pixels, file.classes->judge, 1);
   if (file.lines.count() == 0) file.notes.push_back(path.string() + " has no line that is wanted");
   return file;

@@ -161,13 +161,18 @@ Image read_image(const fs::path& path) {
 
 Image read_grey_over_white(const fs::path& path) {
   const OpenImage file = open_image(path);
-  const Image image = decode<float>(path, file, SampleType::real);
+  Image image = decode<float>(path, file, SampleType::real);
+  if (image.channels == 1) return image;
   Image grey(image.width_px, image.height_px, 1);
   for (size_t i = 0; i < grey.samples.size(); ++i) {
     grey.samples[i] = static_cast<float>(
         grey_over_white(&image.samples[i * image.channels], image.channels, file.shape().premultiplied));
   }
   return grey;
+}
+
+int image_channels(const fs::path& path) {
+  return open_image(path).shape().channels;
 }
 
 std::string read_image_text(const fs::path& path, const std::string& name) {

@@ -31,6 +31,9 @@ Image read_image(const std::filesystem::path& path);
 /// colours as they are stored, 1 is white. Errors as `read_picture`.
 Image read_grey_over_white(const std::filesystem::path& path);
 
+/// 1 to 4. Errors as `read_picture`.
+int image_channels(const std::filesystem::path& path);
+
 /// The metadata entry `name`; "" where the image has none. Errors as `read_picture`.
 std::string read_image_text(const std::filesystem::path& path, const std::string& name);
 

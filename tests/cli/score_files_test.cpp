@@ -173,6 +173,8 @@ TEST_F(ScoreFiles, a_reference_that_was_changed_or_does_not_say_all_classes_is_r
   write_png(file("changed.png"), picture, text);
   EXPECT_TRUE(
       is_input_error(score({"o/lines.png", "changed.png"}), {"changed.png", "pixel 5, 7", "changed"}));
+  write_png(file("grey.png"), Picture(64, 48, 1, 255), text);
+  EXPECT_TRUE(is_input_error(score({"o/lines.png", "grey.png"}), {"grey.png", "changed"}));
   text.erase("inkbench:classes");
   write_png(file("older.png"), picture, text);
   EXPECT_TRUE(is_input_error(score({"o/lines.png", "older.png"}), {"older.png", "another version"}));
