@@ -132,7 +132,7 @@ void write_foot(ScriptText& script) {
 bool is_plain(const CsvTable& table, const Chart& chart) {
   for (const std::vector<std::string>& row : table.rows) {
     if (std::any_of(row.begin(), row.end(), [](const std::string& field) {
-          return field.find_first_of("\"\\\n\r") != std::string::npos;
+          return field.find_first_of("\"\\\n\r") != std::string::npos || gets_apostrophe(field);
         }))
       return false;
   }

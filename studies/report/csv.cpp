@@ -36,10 +36,9 @@ bool is_formula_behind_apostrophes(std::string_view field) {
          std::string_view("=+-@\t\r").find(field[first]) != std::string_view::npos;
 }
 
-/// As it is written. Of the fields that begin with apostrophes and a formula all get one more, so that each
-/// reads back as it was.
+/// As it is written.
 std::string guarded(const std::string& field) {
-  return is_formula_behind_apostrophes(field) && !is_numbers(field) ? kApostrophe + field : field;
+  return gets_apostrophe(field) ? kApostrophe + field : field;
 }
 
 std::string unguarded(std::string field) {
@@ -77,6 +76,12 @@ std::vector<std::string> take_row(std::string_view& rest) {
 }
 
 }  // namespace
+
+/// Of the fields that begin with apostrophes and a formula all get one more, so that each reads back as it
+/// was.
+bool gets_apostrophe(std::string_view field) {
+  return is_formula_behind_apostrophes(field) && !is_numbers(field);
+}
 
 std::string csv_line(std::span<const std::string> fields) {
   std::string line;

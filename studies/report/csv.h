@@ -14,6 +14,9 @@ namespace inkbench {
 /// apostrophe in front, which reading takes away.
 std::string csv_line(std::span<const std::string> fields);
 
+/// Whether writing puts an apostrophe in front of the field.
+bool gets_apostrophe(std::string_view field);
+
 /// A whole file, its head apart. Every row has as many fields as there are columns.
 struct CsvTable {
   std::vector<std::string> columns;

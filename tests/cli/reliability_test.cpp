@@ -209,5 +209,15 @@ TEST_F(Reliability, verify_finds_what_was_changed_and_nothing_else) {
   EXPECT_TRUE(is_input_error(inkbench({"study", "verify"}), {"which folder"}));
 }
 
+TEST_F(Reliability, texts_like_formulas_are_guarded_in_the_table_and_plain_in_charts) {
+  write_spec("s",
+             threshold_axis(2) +
+                 "[[variant]]\nname = \"=1+1\"\nset = {}\n[[variant]]\nname = \"-b\"\nset = {}\n"
+                 "[[chart]]\nname = \"c\"\nx = \"combine.k_normal\"\ny = \"ink_px\"\nby = \"variant\"\n");
+  EXPECT_TRUE(succeeds(study("s", "out")));
+  EXPECT_THAT(content_of(file("out/data.csv")), AllOf(HasSubstr("\n1,'=1+1,"), HasSubstr(",'-b,")));
+  EXPECT_THAT(content_of(file("out/charts/c.svg")), AllOf(HasSubstr(">=1+1<"), Not(HasSubstr("'=1+1"))));
+}
+
 }  // namespace
 }  // namespace inkbench
