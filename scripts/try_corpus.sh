@@ -18,6 +18,9 @@ done
 inkbench=${INKBENCH:-$root/build/release/inkbench}
 [ -x "$inkbench" ] || { echo "inkbench: error: $inkbench is not built; ./run builds it, or set INKBENCH" >&2; exit 2; }
 
+# From above and the side, so that flat things are seen, too.
+view=(camera.eye=[5.6,5.6,8] camera.target=[0,1.6,0] camera.fov=36)
+
 mkdir -p "$out"
 rm -rf "$out/drawn" "$out/sheet"
 # The formats are the program's to say.
@@ -31,7 +34,7 @@ while IFS= read -r -d '' file; do
   number=$((number + 1))
   status=0
   timeout --kill-after=2 "$limit" "$inkbench" render --scene "$root/data/scenes/subject.toml" --mesh "$file" --size 160x120 \
-    --out "$out/drawn/$number" >/dev/null 2>"$out/messages" </dev/null || status=$?
+    "${view[@]/#/--set=}" --out "$out/drawn/$number" >/dev/null 2>"$out/messages" </dev/null || status=$?
   case $status in
     0) kind=drawn ;;
     1) kind=failed ;;
@@ -65,6 +68,8 @@ toml_text() { sed 's/\\/\\\\/g; s/"/\\"/g' <<<"$1"; }
 spec=$out/corpus.toml
 {
   printf 'title = "Contact sheet"\nscene = "%s"\nsize = [160, 120]\nshow = ["final"]\n' "$(toml_text "$root/data/scenes/subject.toml")"
+  printf '[set]\n'
+  printf '%s\n' "${view[@]/=/ = }"
   awk -F'\t' '$1 == "drawn" {print $2}' "$out/results" | while IFS= read -r file; do
     count=$((${count:-0} + 1))
     printf '[[variant]]\nname = "%s"\n[variant.set]\nmodel.subject.mesh = "%s"\nmodel.subject.normals = "file"\n' \
