@@ -33,7 +33,7 @@ number=0
 while IFS= read -r -d '' file; do
   number=$((number + 1))
   status=0
-  timeout --kill-after=2 "$limit" "$inkbench" render --scene "$root/data/scenes/subject.toml" --mesh "$file" --size 160x120 \
+  timeout --kill-after=2 "$limit" "$inkbench" render --scene "$root/data/scenes/subject.toml" --mesh "$file" --size 240x180 \
     "${view[@]/#/--set=}" --out "$out/drawn/$number" >/dev/null 2>"$out/messages" </dev/null || status=$?
   case $status in
     0) kind=drawn ;;
@@ -67,7 +67,7 @@ awk -F'\t' '$1 == "drawn" && $3 != "" {n = split($3, notes, "|"); delete seen
 toml_text() { sed 's/\\/\\\\/g; s/"/\\"/g' <<<"$1"; }
 spec=$out/corpus.toml
 {
-  printf 'title = "Contact sheet"\nscene = "%s"\nsize = [160, 120]\nshow = ["final"]\n' "$(toml_text "$root/data/scenes/subject.toml")"
+  printf 'title = "Contact sheet"\nscene = "%s"\nsize = [240, 180]\nshow = ["final"]\n' "$(toml_text "$root/data/scenes/subject.toml")"
   printf '[set]\n'
   printf '%s\n' "${view[@]/=/ = }"
   awk -F'\t' '$1 == "drawn" {print $2}' "$out/results" | while IFS= read -r file; do
