@@ -62,6 +62,29 @@ bool have_own_lines(const TextCursor& cursor, const OffHeader& header) {
   return are_alike || (tokens > 0 && lines.are_at_least(header.faces));
 }
 
+/// Does the line hold one face, whole or with a colour of one or three numbers after it? Four could be
+/// another triangle.
+bool is_one_face(TextCursor& line) {
+  const auto corners = parse_count(line.token_across_lines());
+  uint64_t tokens = 0;
+  while (!line.token().empty()) ++tokens;
+  if (!corners) return false;
+  if (tokens < *corners) return is_text_over(line);  // cut short
+  const uint64_t more = tokens - *corners;
+  return more == 0 || more == 1 || more == 3;
+}
+
+/// Does each face have a line of its own, at which its colour ends? So it is where there are as many lines,
+/// and in a truncated file where each line that is left is one.
+bool have_own_lines(const TextCursor& cursor, uint64_t faces) {
+  if (ContentLines(cursor).are_at_least(faces)) return true;
+  TextCursor line = cursor;
+  while (!is_text_over(line)) {
+    if (!is_one_face(line)) return false;
+  }
+  return true;
+}
+
 class OffReader {
  public:
   OffReader(const std::string& name, std::string_view raw)
@@ -104,7 +127,7 @@ class OffReader {
   }
 
   void read_faces() {
-    const bool own_lines = ContentLines(cursor_).are_at_least(header_.faces);
+    const bool own_lines = have_own_lines(cursor_, header_.faces);
     for (uint64_t i = 0; i < header_.faces; ++i) {
       check_not_over(i);
       read_face();
