@@ -94,8 +94,11 @@ TEST_F(RealFiles, a_cube_is_a_cube_however_it_is_written) {
   for (const auto& [name, content] : others) {
     write(name, content);
     const CommandResult result = measure(name);
-    EXPECT_TRUE(succeeds(result)) << name;
-    EXPECT_EQ(result.out, plain.out) << name;
+    ASSERT_TRUE(succeeds(result)) << name;
+    // Other units round pixels at the edges another way.
+    const nlohmann::json numbers = nlohmann::json::parse(result.out);
+    for (const char* key : {"f1", "ink", "recall_crease", "recall_silhouette"})
+      EXPECT_NEAR(numbers.at(key), nlohmann::json::parse(plain.out).at(key), 0.002) << name << " " << key;
   }
 }
 
@@ -103,7 +106,8 @@ TEST_F(RealFiles, smooth_takes_the_inner_edges_away) {
   write("plain.obj", obj(false));
   const CommandResult smooth = measure("plain.obj", {"--set", "model.m.normals=smooth"});
   ASSERT_TRUE(succeeds(smooth));
-  EXPECT_LT(nlohmann::json::parse(smooth.out).at("f1"), 0.9);
+  const double sharp = nlohmann::json::parse(measure("plain.obj").out).at("recall_crease");
+  EXPECT_LT(nlohmann::json::parse(smooth.out).at("recall_crease"), sharp - 0.05);
 }
 
 TEST_F(RealFiles, a_level_of_a_decimated_part_stays_sharp) {
