@@ -88,8 +88,8 @@ class SoupTriangles {
       notes.push_back(fmt::format("Dropped {} with a corner at NaN or infinity.", faces(not_finite_)));
     if (zero_area_ > 0) notes.push_back(fmt::format("Dropped {} without area.", faces(zero_area_)));
     if (crossed_ > 0) {
-      notes.push_back(fmt::format("{} themselves: what they cover is a guess.",
-                                  counted(crossed_, "polygon crosses", "polygons cross")));
+      notes.push_back(fmt::format("{}: what is covered there is a guess.",
+                                  counted(crossed_, "polygon crosses itself", "polygons cross themselves")));
     }
   }
 
