@@ -123,6 +123,9 @@ TEST_F(RealFiles, a_model_beyond_the_far_plane_is_told) {
   write("plain.obj", obj(false));
   const CommandResult result = measure("plain.obj", {"--set", "camera.far=1"});
   EXPECT_THAT(result.err, HasSubstr("model 'm' lies beyond the far plane"));
+  write("far.off", off("OFF 8 6 0\n", 1.0, 500'000.0));  // behind the camera, in units of its own
+  EXPECT_THAT(measure("far.off", {"--set", "model.m.size=0", "--set", "model.m.anchor=origin"}).err,
+              HasSubstr("model 'm' lies beyond the far plane"));
 }
 
 }  // namespace

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
@@ -19,7 +22,13 @@ bool is_beyond_far(const DrawItem& item, const CameraParams& camera) {
     const double low = box.low[axis] - camera.eye[axis], high = box.high[axis] - camera.eye[axis];
     nearest += std::min(low * forward[axis], high * forward[axis]);
   }
-  return nearest > camera.far;
+  const glm::dvec3 eye = camera.eye;
+  const double away =
+      glm::length(glm::max(glm::max(glm::dvec3(box.low) - eye, eye - glm::dvec3(box.high)), glm::dvec3(0.0)));
+  const double slope = std::tan(glm::radians(static_cast<double>(camera.fov)) / 2.0);
+  constexpr double kAspect = 2.0;
+  return nearest > camera.far ||
+         away > camera.far * std::sqrt(1.0 + slope * slope * (1.0 + kAspect * kAspect));
 }
 
 void BeyondFarNotes::update(std::span<const DrawItem> items, const CameraParams& camera) {

@@ -11,7 +11,8 @@
 
 namespace inkbench {
 
-/// Every corner of the item's box is farther along the view axis than `camera.far`.
+/// The item's box lies behind the far plane as a whole, or, in whatever direction, farther from the eye than
+/// any place before that plane that a picture of up to 2:1 can show: a model in units of its own, far away.
 bool is_beyond_far(const DrawItem& item, const CameraParams& camera);
 
 class BeyondFarNotes {
