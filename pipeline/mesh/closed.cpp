@@ -6,12 +6,11 @@
 #include <numeric>
 #include <span>
 
+#include "pipeline/mesh/triangle_edges.h"
 #include "pipeline/mesh/weld.h"
 
 namespace inkbench {
 namespace {
-
-using Triangle = std::array<uint32_t, 3>;
 
 /// Each directed edge once, and its opposite too. Edges are grouped by their smaller point: time in
 /// proportion to the mesh.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/mesh/triangulate.h"
+#include "pipeline/mesh/triangle_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@
 
 namespace inkbench {
 namespace {
-
-using Triangle = std::array<uint32_t, 3>;
 
 /// Twice the area as a vector. The products of differences of floats are exact in double but for the last
 /// subtraction, so three corners on a line give zero.

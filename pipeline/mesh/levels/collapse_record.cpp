@@ -9,11 +9,11 @@
 #include <numeric>
 
 #include "pipeline/base/text.h"
+#include "pipeline/mesh/triangle_edges.h"
 
 namespace inkbench {
 namespace {
 
-using Triangle = std::array<uint32_t, 3>;
 constexpr uint32_t kLeftOut = CollapseRecord::kLeftOut;
 /// Normals nearer than this (cosine, 2.6 degrees) are one; farther apart they make a sharp edge.
 constexpr float kSameNormal = 0.999F;
