@@ -13,12 +13,12 @@
 #include <limits>
 
 #include "app/panels/frame/main_frame.h"
+#include "app/terminal.h"
 #include "app/window/end_signals.h"
 #include "app/window/gui.h"
 #include "app/window/state_file.h"
 #include "app/window/typing_wish.h"
 #include "app/window/workbench.h"
-#include "app/terminal.h"
 #include "app/workbench/save_place.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -264,7 +264,7 @@ void WindowLoop::run() {
   if (options_.drag_frames > 0) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     print_out("{} frames, {:.1f} ms each, {:.1f} a second\n", frames, 1e3 * seconds / frames,
-               frames / seconds);
+              frames / seconds);
   }
   window_.hide();  // the end of a study's cell may take a moment
   bench_.studies.stop();

@@ -131,11 +131,11 @@ std::string score_json(const ScoreOptions& options, const Scored& scored, const 
 
 void print_table(const ScoreOptions& options, const Scored& scored, const DrawingTally& tally) {
   print_out("{} against {}, {}, tolerance {} px\n", options.prediction, options.reference,
-             size_text(scored.prediction.lines), shortest(scored.tolerance_px));
+            size_text(scored.prediction.lines), shortest(scored.tolerance_px));
   const auto& classes = scored.reference.classes;
   if (classes)
     print_out("wanted: {}; allowed: {}\n", join(classes_of_tier(classes->judge, 1), ", "),
-               join(classes_of_tier(classes->judge, 2), ", "));
+              join(classes_of_tier(classes->judge, 2), ", "));
   if (tally.lines.empty())
     print_out("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
   print_out("{}", measures_table(measures_of_maps(classes.has_value()), tally));

@@ -117,7 +117,8 @@ TEST_F(RenderMesh, rabbit_comes_from_the_environment) {
   CommandOptions options;
   options.environment["INKBENCH_RABBIT"] = file("cube.off");
   ASSERT_TRUE(succeeds(inkbench({"render", "--out", "a", "--size", "64x64"}, options)));
-  ASSERT_TRUE(succeeds(inkbench({"render", "--out", "b", "--size", "64x64", "--set", "model.rabbit.mesh=cube.off"})));
+  ASSERT_TRUE(
+      succeeds(inkbench({"render", "--out", "b", "--size", "64x64", "--set", "model.rabbit.mesh=cube.off"})));
   EXPECT_EQ(read_picture(file("a/final.png"), 3), read_picture(file("b/final.png"), 3));
 }
 

@@ -148,7 +148,8 @@ std::vector<fs::path> files_read_with(const fs::path& path) {
   const bool is_gltf = lower_case(path.extension().string()) == ".gltf";
   if (!is_gltf || !fs::is_regular_file(path, error) || fs::file_size(path, error) > kMostGltfText)
     return files;
-  for (const fs::path& buffer : gltf_buffers(read_file(path, kMostGltfText))) files.push_back(path.parent_path() / buffer);
+  for (const fs::path& buffer : gltf_buffers(read_file(path, kMostGltfText)))
+    files.push_back(path.parent_path() / buffer);
   return files;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models that the far plane hides as a whole: an empty picture that says nothing would look like a fault of the
-// mesh. In: camera and what is drawn. Out: a note in the log when a model goes beyond the far plane.
+// Models that the far plane hides as a whole: an empty picture that says nothing would look like a fault of
+// the mesh. In: camera and what is drawn. Out: a note in the log when a model goes beyond the far plane.
 #pragma once
 
 #include <set>
