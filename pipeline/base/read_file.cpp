@@ -63,7 +63,8 @@ class OpenFile {
       if (count < 0 && errno == EINTR) continue;
       if (count < 0) {
         throw work_error(path_.string(),
-                         "reading stopped after " + with_commas(static_cast<long long>(offset + got)) +
+                         "reading stopped after " +
+                             with_commas(static_cast<long long>(offset) + static_cast<long long>(got)) +
                              " of " + with_commas(static_cast<long long>(bytes_)) + " bytes",
                          std::strerror(errno));
       }

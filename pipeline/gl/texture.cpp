@@ -78,6 +78,7 @@ Texture::~Texture() {
   if (storage_.pool != nullptr) storage_.pool->give_back(storage_);
 }
 
+// It changes what the texture holds. NOLINTNEXTLINE(readability-make-member-function-const)
 void Texture::upload(const Image& image) {
   const FormatInfo info = info_of(format());
   assert(image.width_px == width_px() && image.height_px == height_px() && image.channels == info.channels);

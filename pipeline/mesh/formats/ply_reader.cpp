@@ -138,7 +138,7 @@ class PlyBinaryBody {
   bool whole(int64_t& value) {
     Bits bits{};
     if (!take(bits)) return false;
-    value = static_cast<Whole>(bits);
+    value = int64_t{std::bit_cast<Whole>(bits)};
     return true;
   }
 

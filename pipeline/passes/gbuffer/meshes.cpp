@@ -62,7 +62,7 @@ std::vector<DrawItem> draw_items(const Settings& settings, const ModelMeshes& me
 }
 
 std::vector<PassInput> DrawItemsInput::told() {
-  std::vector<PassInput> told = value_of<MeshesPass>().told();
+  std::vector<PassInput> told = decltype(value_of<MeshesPass>())::told();
   told.push_back({ModelParams::description().group});
   return told;
 }

@@ -40,7 +40,7 @@ struct BoundLineRequest {
 struct LineRequestInput {
   BoundLineRequest bind(Flow& flow) const { return {&flow, value_of<GBufferPass>().bind(flow)}; }
   static std::vector<PassInput> told() {
-    std::vector<PassInput> told = value_of<GBufferPass>().told();
+    std::vector<PassInput> told = decltype(value_of<GBufferPass>())::told();
     told.push_back({JudgeParams::description().group});
     return told;
   }

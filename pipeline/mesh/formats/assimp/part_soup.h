@@ -11,6 +11,6 @@ using NodePlaces = std::map<std::string, glm::dmat4>;
 
 /// Points follow their bones where the mesh has any, else `to_world`; faces are turned over where that
 /// mirrors. Lines and points are left out. `is_flat` is the format's word on meshes without normals.
-PolygonSoup part_soup(const aiMesh& mesh, const glm::dmat4& to_world, const NodePlaces& bones, bool is_flat);
+PolygonSoup part_soup(const aiMesh& mesh, const glm::dmat4& to_world, const NodePlaces& places, bool is_flat);
 
 }  // namespace inkbench
