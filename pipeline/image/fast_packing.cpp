@@ -9,8 +9,8 @@
 
 namespace inkbench {
 
-// ISA-L looks past the end of its input, which decides between matches of equal length: the same bytes would
-// be packed differently from run to run. So it gets them in blocks of our own, with zeros behind.
+// ISA-L may look past the end of its input: it gets blocks of our own with zeros behind, so that what lies
+// there in memory cannot matter.
 constexpr size_t kBlockBytes = size_t{1} << 16, kZerosBehind = 1024;
 
 struct FastPacker::State {

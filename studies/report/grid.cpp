@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <future>
 #include <utility>
 
 #include "pipeline/base/stop.h"
@@ -57,8 +56,7 @@ Picture failed_picture(const GridPlan& plan) {
   return picture;
 }
 
-/// Draws one sheet in strips that each hold one row of cells and what stands above it. A strip is packed
-/// beside the painting of the next, so that two stand in memory.
+/// Draws one sheet in strips that each hold one row of cells and what stands above it.
 class SheetPainter {
  public:
   SheetPainter(const GridPlan& plan, const GridSheet& sheet, const CellSource& cell, PngStripWriter& writer)
@@ -74,7 +72,6 @@ class SheetPainter {
       write_strip();
     }
     write_text_down_to(sheet_.height_px);
-    if (packing_.valid()) packing_.get();
   }
 
  private:
@@ -87,11 +84,8 @@ class SheetPainter {
     }
   }
 
-  void write_strip() {
-    if (packing_.valid()) packing_.get();
-    packing_ =
-        std::async(std::launch::async, [this, strip = std::exchange(strip_, {})] { writer_.write(strip); });
-  }
+  /// On the thread that paints: packed on others, ISA-L gave the same pixels with other bytes now and then.
+  void write_strip() { writer_.write(std::exchange(strip_, {})); }
 
   /// The strip from the last one's end to `end`, white, with all text that reaches into it.
   void begin_strip(int end) {
@@ -137,8 +131,7 @@ class SheetPainter {
   PngStripWriter& writer_;
   std::optional<Picture> failed_;
   Picture strip_;
-  int top_ = 0, end_ = 0;      ///< The strip's rows.
-  std::future<void> packing_;  ///< Of the strip before; last, so that its end is waited for first.
+  int top_ = 0, end_ = 0;  ///< The strip's rows.
 };
 
 }  // namespace
