@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "pipeline/image/image_file.h"
+
 namespace inkbench {
 namespace {
 
@@ -96,10 +98,29 @@ std::string threshold_axis(int count) {
   return fmt::format("[[axis]]\nkey = \"combine.k_normal\"\nfrom = 0.001\nto = 0.5\ncount = {}\n", count);
 }
 
+namespace {
+
+/// ISA-L now and then packs the same grid with another byte: its pixels are what lasts.
+std::string pixels_of(const fs::path& png) {
+  const Picture picture = read_picture(png, 3);
+  return std::to_string(picture.width_px) + " " + std::string(picture.samples.begin(), picture.samples.end());
+}
+
+std::string without_hash_of_grids(const std::string& manifest) {
+  nlohmann::json json = nlohmann::json::parse(manifest);
+  for (nlohmann::json& file : json["files"]) {
+    if (file.at("name").get<std::string>().starts_with("grid")) file = file.at("name");
+  }
+  return json.dump();
+}
+
+}  // namespace
+
 FolderContent lasting_content(const fs::path& folder) {
   FolderContent content = folder_content(folder);
   for (auto& [name, text] : content) {
-    if (fs::path(name).filename() == "manifest.json") text = without_times(text);
+    if (fs::path(name).filename() == "manifest.json") text = without_hash_of_grids(without_times(text));
+    if (name.starts_with("grid") && name.ends_with(".png")) text = pixels_of(folder / name);
   }
   return content;
 }
@@ -121,7 +142,9 @@ void expect_no_half_written_files(const fs::path& folder, const FolderContent& e
   for (const auto& [name, content] : folder_content(folder)) {
     if (is_unfinished(name)) continue;
     ASSERT_TRUE(expected.contains(name)) << name;
-    if (name.ends_with(".png")) {
+    if (name.starts_with("grid") && name.ends_with(".png")) {
+      EXPECT_TRUE(pixels_of(folder / name) == expected.at(name)) << name << " is not the finished study's";
+    } else if (name.ends_with(".png")) {
       EXPECT_TRUE(content == expected.at(name)) << name << " is not the finished study's";
     } else if (name.ends_with(".json")) {
       EXPECT_TRUE(nlohmann::json::accept(content)) << name;
