@@ -33,10 +33,6 @@ std::string hash_of(const std::string& path) {
   return KeyBuilder().add(read_file(path)).key().text();
 }
 
-bool is_hash(const std::string& text) {
-  return text.size() == 32 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
 bool names_the_same(const Settings& a, const Settings& b, const std::string& key) {
   return has_param(a, key) && has_param(b, key) &&
          find_param(a, key, key).value() == find_param(b, key, key).value();
@@ -63,7 +59,7 @@ std::vector<UsedFile> used_files_from(std::string_view text) {
   std::vector<UsedFile> files;
   for (const std::string& line : split(text, '\n')) {
     const std::vector<std::string> parts = split(line, ' ');
-    if (parts.size() == 2 && is_hash(parts[1])) files.push_back({parts[0], "", parts[1]});
+    if (parts.size() == 2 && is_hex(parts[1], 32)) files.push_back({parts[0], "", parts[1]});
   }
   return files;
 }

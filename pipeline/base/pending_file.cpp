@@ -10,6 +10,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/locked_file.h"
 #include "pipeline/base/system_reason.h"
+#include "pipeline/base/text.h"
 
 namespace inkbench {
 namespace {
@@ -22,7 +23,7 @@ bool is_temporary_name(const std::string& name) {
   const size_t mark = name.rfind(kTemporaryMark);
   if (mark == std::string::npos) return false;
   const std::string rest = name.substr(mark + kTemporaryMark.size());
-  if (rest.size() == kRandomDigits) return rest.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (rest.size() == kRandomDigits) return is_hex(rest, kRandomDigits);
   unsigned process = 0, count = 0;
   int length = 0;
   return std::sscanf(rest.c_str(), "%u-%u%n", &process, &count, &length) == 2 &&

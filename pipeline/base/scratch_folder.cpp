@@ -13,6 +13,7 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/locked_file.h"
+#include "pipeline/base/text.h"
 
 namespace inkbench {
 namespace {
@@ -23,9 +24,8 @@ constexpr size_t kRandomChars = 16;
 
 /// "inkbench_0123456789abcdef.lock". The folder cannot be the lock: a study locks the one that it writes to.
 bool is_lock_name(const std::string& name) {
-  return name.size() == kStart.size() + kRandomChars + kLockEnding.size() && name.starts_with(kStart) &&
-         name.ends_with(kLockEnding) &&
-         name.find_first_not_of("0123456789abcdef", kStart.size()) == kStart.size() + kRandomChars;
+  const auto stem = without_ending(name, kLockEnding);
+  return stem && stem->starts_with(kStart) && is_hex(stem->substr(kStart.size()), kRandomChars);
 }
 
 fs::path lock_of(const fs::path& folder) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 namespace inkbench {
@@ -46,6 +47,20 @@ std::string with_commas(long long count) {
   const size_t sign = count < 0 ? 1 : 0;
   for (size_t end = digits.size(); end > sign + 3; end -= 3) digits.insert(end - 3, ",");
   return digits;
+}
+
+std::string counted(uint64_t count, std::string_view one, std::string_view many) {
+  const auto shown = static_cast<long long>(std::min<uint64_t>(count, std::numeric_limits<long long>::max()));
+  return with_commas(shown) + " " + std::string(count == 1 ? one : many);
+}
+
+bool is_hex(std::string_view text, size_t digits) {
+  return text.size() == digits && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+std::optional<std::string_view> without_ending(std::string_view text, std::string_view ending) {
+  if (!text.ends_with(ending)) return std::nullopt;
+  return text.substr(0, text.size() - ending.size());
 }
 
 std::string readable_bytes(double bytes) {

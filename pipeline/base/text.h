@@ -2,6 +2,8 @@
 // Small text helpers: numbers that read back exactly, joined lists, the nearest name for a misspelt one.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +17,15 @@ std::string shortest(double value);
 
 /// A count with thousands separated: 69666 -> "69,666".
 std::string with_commas(long long count);
+
+/// A count for a message: "1 face", "2,000 faces".
+std::string counted(uint64_t count, std::string_view one, std::string_view many);
+
+/// So many lower-case hexadecimal digits and nothing else.
+bool is_hex(std::string_view text, size_t digits);
+
+/// What stands before `ending`; nothing where the text does not end so.
+std::optional<std::string_view> without_ending(std::string_view text, std::string_view ending);
 
 /// Bytes for people: "12 bytes", "3.1 MB", "812 kB".
 std::string readable_bytes(double bytes);

@@ -3,19 +3,13 @@
 
 #include <isa-l/igzip_lib.h>
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 
 namespace inkbench {
 
-// ISA-L may look past the end of its input: it gets blocks of our own with zeros behind, so that what lies
-// there in memory cannot matter.
-constexpr size_t kBlockBytes = size_t{1} << 16, kZerosBehind = 1024;
-
 struct FastPacker::State {
   isal_zstream stream;
-  std::vector<uint8_t> block = std::vector<uint8_t>(kBlockBytes + kZerosBehind);
   std::vector<uint8_t> level_buffer = std::vector<uint8_t>(ISAL_DEF_LVL1_DEFAULT);
 };
 
@@ -31,20 +25,10 @@ FastPacker::FastPacker(Frame frame) : state_(std::make_unique<State>()) {
 FastPacker::~FastPacker() = default;
 
 void FastPacker::add(std::span<const uint8_t> bytes, bool at_end, std::string& packed) {
-  do {
-    const std::span<const uint8_t> part = bytes.first(std::min(bytes.size(), kBlockBytes));
-    bytes = bytes.subspan(part.size());
-    const auto end = std::copy(part.begin(), part.end(), state_->block.begin());
-    std::fill_n(end, kZerosBehind, uint8_t{0});
-    add_block(part.size(), at_end && bytes.empty(), packed);
-  } while (!bytes.empty());
-}
-
-void FastPacker::add_block(size_t size, bool at_end, std::string& packed) {
   isal_zstream& stream = state_->stream;
   std::array<uint8_t, 1 << 16> room;
-  stream.next_in = state_->block.data();
-  stream.avail_in = static_cast<uint32_t>(size);
+  stream.next_in = const_cast<uint8_t*>(bytes.data());  // ISA-L only reads it
+  stream.avail_in = static_cast<uint32_t>(bytes.size());
   stream.end_of_stream = at_end ? 1 : 0;
   do {
     stream.next_out = room.data();

@@ -28,7 +28,6 @@ class FastPacker {
   void add(std::span<const uint8_t> bytes, bool at_end, std::string& packed);
 
  private:
-  void add_block(size_t size, bool at_end, std::string& packed);  ///< Of the first bytes of our own block.
   struct State;
   std::unique_ptr<State> state_;
 };

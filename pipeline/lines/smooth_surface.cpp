@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "pipeline/lines/mesh_lines.h"
+#include "pipeline/mesh/triangle_edges.h"
 
 namespace inkbench {
 namespace {
@@ -17,11 +18,6 @@ namespace {
 using Face = std::array<uint32_t, 3>;
 
 // ---- Parts: corners of faces that are one point of one smooth part.
-
-uint32_t find_root(std::vector<uint32_t>& parent, uint32_t corner) {
-  while (parent[corner] != corner) corner = parent[corner] = parent[parent[corner]];
-  return corner;
-}
 
 uint32_t corner_at(const MeshTopology& topology, uint32_t face, uint32_t point) {
   const Face& corners = topology.faces[face];
@@ -42,21 +38,18 @@ std::vector<uint8_t> smooth_edges(const MeshTopology& topology, double crease_an
 
 void split_into_parts(const MeshTopology& topology, const std::vector<uint8_t>& smooth,
                       const glm::dmat3& stretch, SmoothSurface& surface) {
-  std::vector<uint32_t> parent(topology.faces.size() * 3);
-  std::iota(parent.begin(), parent.end(), 0U);
+  const auto corner_count = static_cast<uint32_t>(topology.faces.size() * 3);
+  Forest parts(corner_count);
   for (size_t e = 0; e < smooth.size(); ++e) {
     if (smooth[e] == 0) continue;
     const auto uses = topology.uses_of(topology.edges[e]);
-    for (const uint32_t point : topology.edges[e].points) {
-      const uint32_t a = find_root(parent, corner_at(topology, uses[0].face, point));
-      const uint32_t b = find_root(parent, corner_at(topology, uses[1].face, point));
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (const uint32_t point : topology.edges[e].points)
+      parts.join(corner_at(topology, uses[0].face, point), corner_at(topology, uses[1].face, point));
   }
-  std::vector<uint32_t> index(parent.size());
+  std::vector<uint32_t> index(corner_count);
   surface.faces.resize(topology.faces.size());
-  for (uint32_t corner = 0; corner < parent.size(); ++corner) {
-    const uint32_t root = find_root(parent, corner);
+  for (uint32_t corner = 0; corner < corner_count; ++corner) {
+    const uint32_t root = parts.root(corner);
     if (root == corner) {
       index[corner] = static_cast<uint32_t>(surface.positions.size());
       surface.positions.push_back(stretch * topology.positions[topology.faces[corner / 3][corner % 3]]);

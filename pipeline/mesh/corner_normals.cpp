@@ -156,15 +156,8 @@ class NormalMaker {
 
   void add_face(uint32_t face, std::vector<glm::dvec3>& sums) {
     const Triangle& t = triangles_[face];
-    glm::dvec3 corner[3];
-    for (int i = 0; i < 3; ++i) corner[i] = points_[t[i]];
-    const glm::dvec3 scaled = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-    const double length = glm::length(scaled);
-    if (!(length > 0.0)) return;
-    for (uint32_t i = 0; i < 3; ++i) {
-      const double angle = angle_between(corner[(i + 1) % 3] - corner[i], corner[(i + 2) % 3] - corner[i]);
-      sums[fans_.root(3 * face + i)] += scaled * (angle / length);
-    }
+    const auto added = weighted_normals({points_[t[0]], points_[t[1]], points_[t[2]]});
+    for (uint32_t i = 0; i < 3; ++i) sums[fans_.root(3 * face + i)] += added[i];
   }
 
   const std::vector<glm::vec3>& points_;

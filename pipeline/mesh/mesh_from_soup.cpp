@@ -19,10 +19,6 @@
 namespace inkbench {
 namespace {
 
-std::string counted(uint64_t count, const std::string& one, const std::string& many) {
-  return with_commas(static_cast<long long>(count)) + " " + (count == 1 ? one : many);
-}
-
 std::string faces(uint64_t count) {
   return counted(count, "face", "faces");
 }
@@ -289,12 +285,15 @@ class MeshMaker {
   }
 
   void find_normals() {
-    std::vector<glm::vec3> normals = corner_normals(mesh_.positions, mesh_.triangles, edges_, smooth_edges());
+    std::vector<glm::vec3> normals(mesh_.triangles.size() * 3);
+    const auto given_at = [&](size_t i) { return file_normal(corners_.triangles()[i / 3][i % 3]); };
     size_t given = 0;
+    for (size_t i = 0; i < normals.size(); ++i) given += given_at(i) != nullptr ? 1 : 0;
+    if (given < normals.size())
+      normals = corner_normals(mesh_.positions, mesh_.triangles, edges_, smooth_edges());
     for (size_t i = 0; i < normals.size(); ++i) {
-      const glm::vec3* normal = file_normal(corners_.triangles()[i / 3][i % 3]);
+      const glm::vec3* normal = given_at(i);
       if (normal == nullptr) continue;
-      ++given;
       const glm::dvec3 direction = glm::normalize(glm::dvec3(*normal));
       // Those of a face that was turned over turn with it, where they were made from it.
       const bool opposes = !is_turned_.empty() && is_turned_[i / 3] && agreement(i / 3) == -3;

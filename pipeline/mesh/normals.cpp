@@ -9,30 +9,27 @@
 #include "pipeline/mesh/normals.h"
 
 namespace inkbench {
-namespace {
-
-void add_face_normal(const Mesh& mesh, const std::array<uint32_t, 3>& triangle,
-                     std::vector<glm::dvec3>& sums) {
-  glm::dvec3 corner[3];
-  for (int i = 0; i < 3; ++i) corner[i] = mesh.positions[triangle[i]];
-  const glm::dvec3 scaled_normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-  const double length = glm::length(scaled_normal);
-  if (!(length > 0.0)) return;
-  for (int i = 0; i < 3; ++i) {
-    const double angle = angle_between(corner[(i + 1) % 3] - corner[i], corner[(i + 2) % 3] - corner[i]);
-    sums[triangle[i]] += scaled_normal * (angle / length);
-  }
-}
-
-}  // namespace
-
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+std::array<glm::dvec3, 3> weighted_normals(const std::array<glm::dvec3, 3>& corners) {
+  const glm::dvec3 scaled = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double length = glm::length(scaled);
+  std::array<glm::dvec3, 3> weighted{};
+  for (int i = 0; i < 3 && length > 0.0; ++i) {
+    const double angle = angle_between(corners[(i + 1) % 3] - corners[i], corners[(i + 2) % 3] - corners[i]);
+    weighted[i] = scaled * (angle / length);
+  }
+  return weighted;
+}
+
 void smooth_normals(Mesh& mesh) {
   std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0.0));
-  for (const std::array<uint32_t, 3>& triangle : mesh.triangles) add_face_normal(mesh, triangle, sums);
+  for (const auto& t : mesh.triangles) {
+    const auto added = weighted_normals({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
+    for (int i = 0; i < 3; ++i) sums[t[i]] += added[i];
+  }
   mesh.normals.resize(mesh.positions.size());
   std::transform(sums.begin(), sums.end(), mesh.normals.begin(), [](const glm::dvec3& sum) {
     const double length = glm::length(sum);

@@ -56,10 +56,6 @@ class CellTable {
   std::vector<uint32_t> next_;
 };
 
-std::string counted(size_t count, const char* one, const char* many) {
-  return with_commas(static_cast<long long>(count)) + " " + (count == 1 ? one : many);
-}
-
 /// The mean of normals, or the first where they cancel.
 glm::vec3 mean_normal(const glm::dvec3& sum, const glm::vec3& first) {
   const double length = glm::length(sum);

@@ -13,6 +13,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/key.h"
 #include "pipeline/base/stop.h"
+#include "pipeline/base/text.h"
 #include "pipeline/image/image_file.h"
 #include "studies/report/page.h"
 #include "studies/sweep/number_columns.h"
@@ -43,8 +44,8 @@ std::optional<KeptPicture> read_tile(const fs::path& path) {
 }
 
 bool is_tile_name(const std::string& name) {
-  return name.size() == 32 + kEnding.size() && name.ends_with(kEnding) &&
-         name.find_first_not_of("0123456789abcdef") == 32;
+  const auto stem = without_ending(name, kEnding);
+  return stem && is_hex(*stem, 32);
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ void remove_unused(const fs::path& folder, const std::set<std::string>& used,
 
 /// "0123456789abcdef.svg".
 bool is_overlay_name(const std::string& name) {
-  return name.size() == 20 && name.ends_with(".svg") && name.find_first_not_of("0123456789abcdef") == 16;
+  const auto stem = without_ending(name, ".svg");
+  return stem && is_hex(*stem, 16);
 }
 
 /// As a record names it, relative to the study's folder.

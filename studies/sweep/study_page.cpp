@@ -16,10 +16,6 @@
 namespace inkbench {
 namespace {
 
-std::string count_text(size_t count, const std::string& name) {
-  return with_commas(static_cast<long long>(count)) + " " + name + (count == 1 ? "" : "s");
-}
-
 /// The grid's; variants without an axis are none, since each cell bears its variant's name.
 std::vector<PageAxis> page_axes(const StudySpec& spec) {
   const size_t variants = spec.axes.empty() || spec.variants.empty() ? 0 : 1;
@@ -70,11 +66,12 @@ std::vector<std::string> facts(const StudySpec& spec, const StudyFolder& folder,
   const size_t count = cell_count(spec);
   const size_t failed = count - folder.done_count();
   const ImageParams& image = spec.base.image;
-  return {count_text(count, "cell") + (sides.size() > 1 ? " (" + join(sides, " × ") + ")" : ""),
+  return {counted(count, "cell", "cells") + (sides.size() > 1 ? " (" + join(sides, " × ") + ")" : ""),
           std::to_string(image.width) + " × " + std::to_string(image.height) + " px",
           spec.show.size() == 1 ? std::string(name_of(spec.show.front()))
-                                : count_text(spec.show.size(), "buffer"),
-          origin.renderer, failed == 0 ? "finished" : "finished, " + count_text(failed, "cell") + " failed"};
+                                : counted(spec.show.size(), "buffer", "buffers"),
+          origin.renderer,
+          failed == 0 ? "finished" : "finished, " + counted(failed, "cell", "cells") + " failed"};
 }
 
 std::vector<PageChart> page_charts(const std::vector<DrawnChart>& charts) {

@@ -93,10 +93,6 @@ glm::dvec3 read_three_numbers_across_lines(TextCursor& cursor, const char* what)
   return three_numbers(cursor, what, [&] { return cursor.token_across_lines(); });
 }
 
-std::string counted(uint64_t count, const std::string& one, const std::string& many) {
-  return count_text(count) + " " + (count == 1 ? one : many);
-}
-
 Error truncation_error(const std::string& name, uint64_t announced_vertices, uint64_t announced_faces,
                        uint64_t found_vertices, uint64_t found_faces) {
   return input_error(name,

@@ -36,7 +36,4 @@ glm::dvec3 read_three_numbers_across_lines(TextCursor& cursor, const char* what)
 Error truncation_error(const std::string& name, uint64_t announced_vertices, uint64_t announced_faces,
                        uint64_t found_vertices, uint64_t found_faces);
 
-/// A count for a message: "1 face", "2,000 faces".
-std::string counted(uint64_t count, const std::string& one, const std::string& many);
-
 }  // namespace inkbench

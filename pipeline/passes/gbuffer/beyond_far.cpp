@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -22,9 +21,7 @@ bool is_beyond_far(const DrawItem& item, const CameraParams& camera) {
     const double low = box.low[axis] - camera.eye[axis], high = box.high[axis] - camera.eye[axis];
     nearest += std::min(low * forward[axis], high * forward[axis]);
   }
-  const glm::dvec3 eye = camera.eye;
-  const double away =
-      glm::length(glm::max(glm::max(glm::dvec3(box.low) - eye, eye - glm::dvec3(box.high)), glm::dvec3(0.0)));
+  const double away = distance_outside(box, camera.eye);
   const double slope = std::tan(glm::radians(static_cast<double>(camera.fov)) / 2.0);
   constexpr double kAspect = 2.0;
   return nearest > camera.far ||

@@ -2,9 +2,16 @@
 #include "pipeline/passes/gbuffer/draw_item.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 
 namespace inkbench {
+
+double distance_outside(const Bounds& box, const glm::vec3& point) {
+  const glm::dvec3 below = glm::dvec3(box.low) - glm::dvec3(point);
+  const glm::dvec3 above = glm::dvec3(point) - glm::dvec3(box.high);
+  return glm::length(glm::max(glm::max(below, above), glm::dvec3(0.0)));
+}
 
 Bounds bounds_in_world(const DrawItem& item) {
   const Bounds& bounds = item.mesh->bounds();

@@ -18,6 +18,9 @@ struct DrawItem {
   std::string name;  ///< The model's.
 };
 
+/// How far a point is outside a box; 0 within it.
+double distance_outside(const Bounds& box, const glm::vec3& point);
+
 /// The box in world space around the box of the item's mesh.
 Bounds bounds_in_world(const DrawItem& item);
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -39,9 +38,7 @@ float near_corner_distance(const CameraParams& camera, float aspect) {
 /// box. Then leaving them out changes no pixel and saves a third of the pass.
 bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float aspect) {
   if (!item.mesh->closed_outwards()) return false;
-  const Bounds box = bounds_in_world(item);
-  const glm::vec3 outside = glm::max(glm::max(box.low - camera.eye, camera.eye - box.high), glm::vec3(0.0F));
-  return glm::length(outside) > near_corner_distance(camera, aspect);
+  return distance_outside(bounds_in_world(item), camera.eye) > near_corner_distance(camera, aspect);
 }
 
 }  // namespace
