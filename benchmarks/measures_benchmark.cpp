@@ -9,13 +9,13 @@
 
 #include "pipeline/base/files.h"
 #include "pipeline/gl/context.h"
+#include "pipeline/lines/thinning.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/settings/settings_file.h"
 #include "studies/measures/components.h"
 #include "studies/measures/distance.h"
 #include "studies/measures/matching.h"
 #include "studies/measures/measures.h"
-#include "studies/measures/thinning.h"
 
 namespace {
 

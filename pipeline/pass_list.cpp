@@ -4,27 +4,45 @@
 #include <algorithm>
 
 #include "pipeline/passes/edges/combine.h"
-#include "pipeline/passes/edges/drawn_lines.h"
+#include "pipeline/passes/edges/found_edges.h"
 #include "pipeline/passes/edges/gradient.h"
+#include "pipeline/passes/edges/laplacian.h"
+#include "pipeline/passes/edges/paper_strength.h"
+#include "pipeline/passes/edges/published_look.h"
 #include "pipeline/passes/edges/range.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/passes/gbuffer/meshes.h"
 #include "pipeline/passes/gbuffer/quantise.h"
+#include "pipeline/passes/gbuffer/visible_range.h"
+#include "pipeline/passes/ink/coverage.h"
+#include "pipeline/passes/ink/drawn_ink.h"
+#include "pipeline/passes/ink/drawn_lines.h"
+#include "pipeline/passes/ink/flood.h"
 #include "pipeline/passes/ink/ink.h"
+#include "pipeline/passes/ink/seeds.h"
 #include "pipeline/passes/light/shade.h"
 #include "pipeline/passes/lines/reference.h"
+#include "pipeline/passes/placing/candidates.h"
+#include "pipeline/passes/placing/connect.h"
+#include "pipeline/passes/placing/place.h"
+#include "pipeline/passes/placing/placed_lines.h"
 
 namespace inkbench {
 namespace {
 
 std::vector<const PassKind*>& list() {
   static std::vector<const PassKind*> passes{
-      &MeshesPass::kind(),   &GBufferPass::kind(),    // scene to maps
-      &QuantisePass::kind(),                          //
-      &GradientPass::kind(), &RangePass::kind(),      // maps to edges
-      &CombinePass::kind(),  &LinesPass::kind(),      //
-      &ShadePass::kind(),    &InkPass::kind(),        // light, and ink over it
-      &BlinnPhong::kind(),   &ReferencePass::kind(),  // beside the chain
+      &MeshesPass::kind(),        &GBufferPass::kind(), &QuantisePass::kind(),
+      &VisibleRangePass::kind(),  // maps
+      &GradientPass::kind(),      &RangePass::kind(),   &CombinePass::kind(),
+      &PaperStrengthPass::kind(),                       // paper
+      &LaplacianPass::kind(),     &FoundEdges::kind(),  // other detectors
+      &CandidatesPass::kind(),    &PlacePass::kind(),   &PlacedLines::kind(),
+      &ConnectPass::kind(),                                                     // placing
+      &SeedsPass::kind(),         &FloodPass::kind(),   &CoveragePass::kind(),  // width
+      &PublishedLookPass::kind(), &DrawnInk::kind(),    &LinesPass::kind(),     // ink
+      &ShadePass::kind(),         &InkPass::kind(),     &BlinnPhong::kind(),    // light, and ink over it
+      &ReferencePass::kind(),                                                   // beside the chain
   };
   return passes;
 }

@@ -31,6 +31,7 @@ PictureView view_of(const DisplayParams& display, BufferName buffer, const std::
   PictureView view{gain_of(display, buffer), info.first_channel};
   if (info.shown_as == ShownAs::colour) view.channel = PictureView::kColour;
   if (info.shown_as == ShownAs::object_id) view.channel = PictureView::kObjectId;
+  if (info.shown_as == ShownAs::edge_class) view.channel = PictureView::kEdgeClass;
   if (!range || !has_range(buffer)) return view;
   const float width = range->white - range->black;
   view.low = range->black;

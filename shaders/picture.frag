@@ -6,7 +6,8 @@
 uniform sampler2D buffer_map;
 layout(std140) uniform picture_block {
   float gain;
-  int channel;  // 0 to 3: that channel as grey; -1: the first three as colour; -2: red as an id's colour
+  int channel;  // 0 to 3: that channel as grey; -1: the first three as colour; -2: red as an id's colour;
+                // -3: green as a line class's
   float low;    // shown as black
 } picture;
 layout(location = 0) out vec4 colour;
@@ -18,9 +19,15 @@ vec3 id_colour(float id) {
   return 0.35 + 0.65 * clamp(abs(hue * 6.0 - 3.0) - 1.0, 0.0, 1.0);
 }
 
+// Okabe and Ito's palette, which people with the common kinds of colour blindness can tell apart.
+const vec3 class_colours[7] =
+    vec3[](vec3(1.0), vec3(0.0), vec3(0.0, 0.447, 0.698), vec3(0.835, 0.369, 0.0), vec3(0.0, 0.62, 0.451),
+           vec3(0.8, 0.475, 0.655), vec3(0.902, 0.624, 0.0));
+
 void main() {
   vec4 value = texelFetch(buffer_map, ivec2(gl_FragCoord.xy), 0);
   vec3 shown = picture.channel >= 0 ? vec3(value[max(picture.channel, 0)]) : value.rgb;
   if (picture.channel == -2) shown = id_colour(value.r);
+  if (picture.channel == -3) shown = class_colours[clamp(int(value.g + 0.5), 0, 6)];
   colour = vec4((shown - picture.low) * picture.gain, 1.0);
 }

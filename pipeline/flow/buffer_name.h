@@ -13,10 +13,11 @@ namespace inkbench {
 
 /// How values become a picture.
 enum class ShownAs {
-  grey,       ///< One channel, times the gain.
-  colour,     ///< The first three channels as they are.
-  object_id,  ///< Each id in a colour of its own.
-  drawing,    ///< Curves, drawn in colours of their own.
+  grey,        ///< One channel, times the gain.
+  colour,      ///< The first three channels as they are.
+  object_id,   ///< Each id in a colour of its own.
+  edge_class,  ///< Each class of drawn lines (EdgeClass) in a colour of its own.
+  drawing,     ///< Curves, drawn in colours of their own.
 };
 
 /// How an image file of it reads as a line map.
@@ -55,6 +56,9 @@ class BufferName {
   static const BufferName depth_edges;     ///< Gradient of the depth map (3.4.3).
   static const BufferName combined_edges;  ///< 0, or the sum of both terms clamped to 1 (3.4.4).
   static const BufferName lines;           ///< 1 where a line is drawn, else 0: what is measured.
+  static const BufferName coverage;        ///< How much of a pixel is ink, 0 to 1.
+  static const BufferName edge_strength;   ///< What the detector sees: 1 = at its limit, without an end.
+  static const BufferName edge_class;      ///< EdgeClass of detected pixels, 0 elsewhere.
   static const BufferName shaded;          ///< Light through the ramps, no ink (3.1, 3.2).
   static const BufferName final;           ///< Ink over the shading (3.5).
   static const BufferName blinn_phong;     ///< Plain Blinn-Phong, whatever the ramps (3.1).

@@ -58,6 +58,26 @@ constexpr PartInput<kGroup, kMember> part() {
   return {};
 }
 
+/// What follows from the settings: `derived<is_papers_ink>(EdgesParams::description)`, with a function of
+/// them to a plain value and the group of what it looks at. Run with: its value.
+template <auto kFunction>
+struct DerivedInput {
+  std::string_view group;
+
+  DerivedInput bind(Flow&) const { return *this; }
+  std::vector<PassInput> told() const { return {{group}}; }
+  void fold(KeyBuilder& key, const FrameState& frame) const {
+    const auto value = get(frame);
+    static_assert(std::is_trivially_copyable_v<decltype(value)>);
+    key.add_bytes({reinterpret_cast<const uint8_t*>(&value), sizeof value});
+  }
+  auto get(const FrameState& frame) const { return kFunction(frame.settings); }
+};
+template <auto kFunction>
+DerivedInput<kFunction> derived(const Description& (*group)()) {
+  return {group().group};
+}
+
 /// Another pass's value. Run with: const Tag::Value&.
 template <class Tag>
 struct BoundValue {
@@ -74,6 +94,33 @@ struct ValueInput {
 };
 template <class Tag>
 constexpr ValueInput<Tag> value_of() {
+  return {};
+}
+
+/// Another pass's value where the settings need it: `value_when<VisibleRangePass, needs_range>()`, with
+/// `bool needs_range(const Settings&)`. Run with: const Tag::Value*, null where they do not.
+template <class Tag>
+struct NeededValue {
+  std::shared_ptr<const typename Tag::Value> value;
+};
+template <class Tag, bool (*kIsNeeded)(const Settings&)>
+struct BoundNeededValue {
+  BoundValue<Tag> bound;
+  void fold(KeyBuilder& key, const FrameState& frame) const {
+    if (kIsNeeded(frame.settings)) return bound.fold(key, frame);
+    key.add("not needed");
+  }
+  NeededValue<Tag> get(const FrameState& frame) const {
+    return {kIsNeeded(frame.settings) ? bound.get(frame) : nullptr};
+  }
+};
+template <class Tag, bool (*kIsNeeded)(const Settings&)>
+struct NeededInput {
+  BoundNeededValue<Tag, kIsNeeded> bind(Flow& flow) const { return {{&flow.node<Tag>()}}; }
+  static std::vector<PassInput> told() { return ValueInput<Tag>::told(); }
+};
+template <class Tag, bool (*kIsNeeded)(const Settings&)>
+constexpr NeededInput<Tag, kIsNeeded> value_when() {
   return {};
 }
 
@@ -116,6 +163,10 @@ constexpr PastInput<Tag> past_value_of() {
 template <class T>
 const T& as_argument(const std::shared_ptr<const T>& value) {
   return *value;
+}
+template <class Tag>
+const typename Tag::Value* as_argument(const NeededValue<Tag>& needed) {
+  return needed.value.get();
 }
 template <class Tag>
 const typename Tag::Value* as_argument(const PastValue<Tag>& past) {

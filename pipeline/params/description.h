@@ -33,7 +33,7 @@ struct FieldText {
   bool is_path = false;  ///< A file's path: relative ones are resolved against the file that sets them.
   std::string_view not_a_path;  ///< The one word that such a field takes for something else.
   std::string_view zero_text;   ///< "all": what a slider shows for 0, which stands beyond its largest value.
-  /// "shape = torus": the setting of the same group without which it has no effect.
+  /// "shape = torus", "edges.method = paper": what must be set for it to have an effect (params/condition.h).
   std::string_view matters_when;
 };
 
@@ -50,6 +50,7 @@ struct Description {
   std::string_view group;
   std::string_view title;  ///< One line for people: "Combining the edges (3.4.4)".
   std::vector<Field> fields;
+  std::string_view matters_when;  ///< Of all its fields, beside what each says; with whole keys.
 };
 
 /// Specialise for an enum that a parameter holds: `static constexpr std::array names{...}` in the enum's

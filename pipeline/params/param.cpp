@@ -5,20 +5,6 @@
 
 namespace inkbench {
 
-bool matters(const Description& description, const void* owner, const Field& field) {
-  const std::string_view text = field.matters_when;
-  const bool is_unequal = text.find(" != ") != std::string_view::npos;
-  const std::string_view sign = is_unequal ? " != " : " = ";
-  const size_t place = text.find(sign);
-  for (const Field& sibling : description.fields) {
-    if (place == std::string_view::npos || sibling.name != text.substr(0, place)) continue;
-    const Value value = sibling.get(owner);
-    const auto* word = std::get_if<std::string>(&value);
-    return ((word != nullptr ? *word : to_text(value)) == text.substr(place + sign.size())) != is_unequal;
-  }
-  return true;
-}
-
 template <class Owner>
 Value ParamOf<Owner>::value() const {
   const Value whole = field->get(owner);

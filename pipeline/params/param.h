@@ -17,12 +17,13 @@ struct ParamGroupOf {
   std::string prefix;
   const Description* description = nullptr;
   Owner* owner = nullptr;
+
+  operator ParamGroupOf<const void>() const requires(!std::is_const_v<Owner>) {
+    return {prefix, description, owner};
+  }
 };
 using ParamGroup = ParamGroupOf<void>;
 using ConstParamGroup = ParamGroupOf<const void>;
-
-/// Whether a field of the struct has an effect now: its `matters_when`, looked up among its siblings.
-bool matters(const Description& description, const void* owner, const Field& field);
 
 /// Valid while the settings live and keep their models and lights.
 template <class Owner>

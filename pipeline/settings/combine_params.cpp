@@ -29,7 +29,8 @@ const Description& CombineParams::description() {
               {.name = "use_depth", .help = "Count the depth term (off: Figure 10)."}),
           field<&CombineParams::use_normal>(
               {.name = "use_normal", .help = "Count the normal term (off: Figure 8)."}),
-      }};
+      },
+      "edges.method = paper"};
   return kDescription;
 }
 

@@ -24,6 +24,13 @@ const Description& DisplayParams::description() {
                .limits = {1e-3, 1e6},
                .slider = {1, 1000},
                .scale = Scale::log}),
+          field<&DisplayParams::strength_gain>(
+              {.name = "strength_gain",
+               .help =
+                   "The edge strength's picture is multiplied by this: at a half, white is twice the limit.",
+               .limits = {1e-3, 1e6},
+               .slider = {0.05, 10},
+               .scale = Scale::log}),
       }};
   return kDescription;
 }

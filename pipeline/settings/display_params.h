@@ -11,6 +11,7 @@ struct DisplayParams {
   float depth_gain = 1.0F;
   float depth_edges_gain = 128.0F;
   float normal_edges_gain = 16.0F;
+  float strength_gain = 0.5F;
 
   static const Description& description();
 };

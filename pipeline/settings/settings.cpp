@@ -79,6 +79,16 @@ std::vector<ParamOf<Owner>> params_of(AnySettings& settings) {
   return params;
 }
 
+bool all_met(const Settings& settings, const std::vector<Condition>& conditions) {
+  return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
+    const Value value = find_param(settings, condition.key, "condition").value();
+    const auto* word = std::get_if<std::string>(&value);
+    const std::string text = word != nullptr ? *word : to_text(value);
+    const auto& values = condition.values;
+    return (std::find(values.begin(), values.end(), text) != values.end()) != condition.is_unequal;
+  });
+}
+
 template <class Item>
 bool has_named(const std::vector<Item>& items, const std::string& name) {
   return std::any_of(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
@@ -144,6 +154,23 @@ std::vector<Param> list_params(Settings& settings) {
 
 std::vector<ConstParam> list_params(const Settings& settings) {
   return params_of<const void>(settings);
+}
+
+bool matters(const Settings& settings, const ConstParamGroup& group) {
+  return all_met(settings, parse_conditions(group.description->matters_when));
+}
+
+bool matters(const Settings& settings, const ConstParamGroup& group, const Field& field) {
+  return all_met(settings, conditions_of(group, field));
+}
+
+std::vector<Condition> conditions_of(const ConstParamGroup& group, const Field& field) {
+  std::vector<Condition> conditions = parse_conditions(group.description->matters_when);
+  for (Condition& condition : parse_conditions(field.matters_when)) {
+    if (condition.key.find('.') == std::string::npos) condition.key = group.prefix + "." + condition.key;
+    conditions.push_back(std::move(condition));
+  }
+  return conditions;
 }
 
 bool has_param(const Settings& settings, const std::string& key) {

@@ -7,15 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/params/condition.h"
 #include "pipeline/params/param.h"
 #include "pipeline/settings/brought_groups.h"
 #include "pipeline/settings/camera.h"
 #include "pipeline/settings/combine_params.h"
+#include "pipeline/settings/detector_params.h"
 #include "pipeline/settings/display_params.h"
+#include "pipeline/settings/edges_params.h"
 #include "pipeline/settings/image_params.h"
 #include "pipeline/settings/ink_params.h"
 #include "pipeline/settings/judge_params.h"
 #include "pipeline/settings/light.h"
+#include "pipeline/settings/line_params.h"
 #include "pipeline/settings/mesh_params.h"
 #include "pipeline/settings/model.h"
 #include "pipeline/settings/ramp.h"
@@ -31,7 +35,14 @@ struct Settings {
   std::vector<ModelParams> models;
   MeshParams mesh;
   RampParams ramp;
+  EdgesParams edges;
   CombineParams combine;
+  DecaudinParams decaudin;
+  SaitoTakahashiParams saito_takahashi;
+  MitchellParams mitchell;
+  LaplacianParams laplacian;
+  LineParams line;
+  std::array<ClassLookParams, kEdgeClasses> class_looks;  ///< From `EdgeClass::object` on.
   InkParams ink;
   DisplayParams display;
   JudgeParams judge;
@@ -55,7 +66,15 @@ void visit_groups(AnySettings& settings, const Visit& visit, const Wanted& wante
     if (wanted("light", light.name)) visit("light." + light.name, light);
   }
   visit("ramp", settings.ramp);
+  visit("edges", settings.edges);
   visit("combine", settings.combine);
+  visit("decaudin", settings.decaudin);
+  visit("saito_takahashi", settings.saito_takahashi);
+  visit("mitchell", settings.mitchell);
+  visit("laplacian", settings.laplacian);
+  visit("line", settings.line);
+  for (size_t i = 0; i < kEdgeClasses; ++i)
+    visit("line." + std::string(kEdgeClassNames[i + 1]), settings.class_looks[i]);
   visit("ink", settings.ink);
   visit("display", settings.display);
   visit("judge", settings.judge);
@@ -74,6 +93,14 @@ std::vector<ConstParam> list_params(const Settings& settings);
 Param find_param(Settings& settings, const std::string& key, const std::string& where);
 ConstParam find_param(const Settings& settings, const std::string& key, const std::string& where);
 bool has_param(const Settings& settings, const std::string& key);
+
+/// Whether the group's fields have an effect in these settings, by what its description says.
+bool matters(const Settings& settings, const ConstParamGroup& group);
+/// Whether this one has.
+bool matters(const Settings& settings, const ConstParamGroup& group, const Field& field);
+
+/// The conditions of a group's field, the group's own first, each with a whole key.
+std::vector<Condition> conditions_of(const ConstParamGroup& group, const Field& field);
 
 /// The canonical text of a described struct: what keys fold of it.
 std::string group_text(const Description& description, const void* owner);

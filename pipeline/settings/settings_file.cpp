@@ -180,7 +180,8 @@ std::string settings_text(const Settings& settings) {
   std::string lists;
   for (const ConstParamGroup& group : list_groups(settings)) {
     const std::vector<std::string> parts = split(group.prefix, '.');
-    if (parts.size() == 1) {
+    const bool is_of_list = parts.front() == "model" || parts.front() == "light";
+    if (!is_of_list) {
       plain += "[" + group.prefix + "]\n";
       append_fields(plain, group, "");
     } else if (parts.size() == 2) {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstring>
 
+#include "pipeline/lines/thinning.h"
 #include "studies/measures/components.h"
 #include "studies/measures/distance.h"
 #include "studies/measures/matching.h"
-#include "studies/measures/thinning.h"
 
 namespace inkbench {
 namespace {

@@ -21,49 +21,46 @@
 namespace inkbench {
 namespace {
 
-/// A condition of `matters_when`: "shape = torus", "shape != mesh".
-struct Condition {
-  std::string name, value;
-  bool equal = true;
-};
-
-std::optional<Condition> condition_of(const Field& field) {
-  if (field.matters_when.empty()) return std::nullopt;
-  const std::string text(field.matters_when);
-  const bool unequal = text.find(" != ") != std::string::npos;
-  const size_t place = text.find(unequal ? " != " : " = ");
-  if (place == std::string::npos) throw std::runtime_error("cannot read the condition '" + text + "'");
-  return Condition{text.substr(0, place), text.substr(place + (unequal ? 4 : 3)), !unequal};
+std::vector<Condition> conditions_of(const Settings& settings, const std::string& key) {
+  for (const ConstParamGroup& group : list_groups(settings)) {
+    for (const Field& field : group.description->fields) {
+      const std::string whole = group.prefix + "." + std::string(field.name);
+      if (key == whole || (key.starts_with(whole + ".") && key.size() == whole.size() + 2))
+        return conditions_of(group, field);
+    }
+  }
+  throw std::runtime_error("no parameter " + key);
 }
 
-std::string sibling_key(const std::string& key, const Field& field, const std::string& sibling) {
-  return key.substr(0, key.rfind("." + std::string(field.name))) + "." + sibling;
+/// The values of what the condition names that meet it, or that do not.
+std::vector<std::string> values_for(Settings settings, const Condition& condition, bool met) {
+  const Field& named = *find_param(settings, condition.key, "test").field;
+  std::vector<std::string> all(named.choices.begin(), named.choices.end());
+  if (named.type == FieldType::boolean) all = {"false", "true"};
+  if (all.empty()) all = {"0", "1"};
+  std::vector<std::string> result;
+  for (const std::string& value : all) {
+    const bool is_named =
+        std::find(condition.values.begin(), condition.values.end(), value) != condition.values.end();
+    if ((is_named != condition.is_unequal) == met) result.push_back(value);
+  }
+  return result;
 }
 
-bool holds(Settings& settings, const std::string& key, const Field& field, const Condition& condition) {
-  const Value value = find_param(settings, sibling_key(key, field, condition.name), "test").value();
-  const std::string text =
-      std::holds_alternative<std::string>(value) ? std::get<std::string>(value) : to_text(value);
-  return (text == condition.value) == condition.equal;
-}
-
-/// The settings as they are, if they meet (or fail, for `met` false) the parameter's condition; else, and
-/// after them, all ways of setting what the condition names.
+/// All ways of setting what the parameter's conditions name, so that they are met; the settings as they are
+/// first where that is one. With `met` false: so that the last one is not.
 std::vector<Settings> arrangements(const Settings& settings, const std::string& key, bool met = true) {
-  Settings start = settings;
-  const Field& field = *find_param(start, key, "test").field;
-  const std::optional<Condition> condition = condition_of(field);
-  if (!condition) return {start};
-  std::vector<Settings> result;
-  if (holds(start, key, field, *condition) == met) result.push_back(start);
-  const std::string named = sibling_key(key, field, condition->name);
-  const Field& named_field = *find_param(start, named, "test").field;
-  const std::vector<std::string_view> booleans{"false", "true"};
-  const std::vector<std::string_view> choices(named_field.choices.begin(), named_field.choices.end());
-  for (const std::string_view choice : choices.empty() ? booleans : choices) {
-    Settings other = settings;
-    set_param_text(other, named, std::string(choice), "test");
-    if (holds(other, key, field, *condition) == met) result.push_back(other);
+  const std::vector<Condition> conditions = conditions_of(settings, key);
+  std::vector<Settings> result{settings};
+  for (size_t i = 0; i < conditions.size(); ++i) {
+    std::vector<Settings> next;
+    for (const Settings& before : result) {
+      for (const std::string& value : values_for(before, conditions[i], met || i + 1 < conditions.size())) {
+        next.push_back(before);
+        set_param_text(next.back(), conditions[i].key, value, "test");
+      }
+    }
+    result = std::move(next);
   }
   return result;
 }
@@ -181,7 +178,7 @@ class ParamsLive : public testing::Test {
     for (const BufferName buffer :
          {BufferName::shaded, BufferName::final, BufferName::depth, BufferName::normal,
           BufferName::combined_edges, BufferName::depth_edges, BufferName::normal_edges,
-          BufferName::blinn_phong, BufferName::object_id}) {
+          BufferName::blinn_phong, BufferName::object_id, BufferName::edge_strength, BufferName::coverage}) {
       if (differ(before_.at(before).raw(buffer), pipeline_.at(after).raw(buffer))) return true;
     }
     return false;
@@ -345,7 +342,7 @@ TEST_F(ParamsLive, every_part_of_a_ramp_changes_an_image) {
 TEST_F(ParamsLive, parameters_do_nothing_where_their_condition_fails) {
   // Otherwise `matters_when` would grey out a slider that works.
   for (const std::string& key : all_keys(rich_)) {
-    if (!condition_of(*find_param(rich_, key, "test").field)) continue;
+    if (conditions_of(rich_, key).empty()) continue;
     // Meshes would need a file's bytes to differ; which of two files is not drawn makes no difference to any
     // shape.
     const Settings arranged = arrangements(rich_, key, false).front();

@@ -89,26 +89,32 @@ TEST(Description, help_is_one_sentence_on_one_line) {
   }
 }
 
-TEST(Description, matters_when_names_a_setting_of_the_same_group) {
+TEST(Description, matters_when_names_other_parameters_and_values_that_they_take) {
   Settings settings = scene();
   int conditions = 0;
   for (const ParamGroup& group : list_groups(settings)) {
     for (const Field& field : group.description->fields) {
-      if (field.matters_when.empty()) continue;
-      ++conditions;
-      const std::string condition(field.matters_when);
-      const bool is_unequal = condition.find(" != ") != std::string::npos;
-      const std::string sign = is_unequal ? " != " : " = ";
-      const size_t place = condition.find(sign);
-      ASSERT_NE(place, std::string::npos) << condition;
-      const std::string key = group.prefix + "." + condition.substr(0, place);
-      ASSERT_TRUE(has_param(settings, key)) << field.name << ": " << condition;
-      EXPECT_NO_THROW(set_param_text(settings, key, condition.substr(place + sign.size()), ""))
-          << field.name << ": " << condition;
-      EXPECT_NE(condition.substr(0, place), field.name) << "its own condition";
+      for (const Condition& condition : conditions_of(group, field)) {
+        ++conditions;
+        ASSERT_TRUE(has_param(settings, condition.key)) << field.name << ": " << condition.key;
+        for (const std::string& value : condition.values)
+          EXPECT_NO_THROW(set_param_text(settings, condition.key, value, "")) << field.name << ": " << value;
+        EXPECT_NE(condition.key, group.prefix + "." + std::string(field.name)) << "its own condition";
+      }
     }
   }
   EXPECT_GT(conditions, 5);
+}
+
+TEST(Condition, reads_keys_and_any_of_several_values) {
+  const std::vector<Condition> read = parse_conditions("edges.method != paper and unit = px or percent");
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].key, "edges.method");
+  EXPECT_TRUE(read[0].is_unequal);
+  EXPECT_EQ(read[1].values, (std::vector<std::string>{"px", "percent"}));
+  EXPECT_FALSE(read[1].is_unequal);
+  EXPECT_TRUE(parse_conditions("").empty());
+  EXPECT_THROW(parse_conditions("use_depth"), Error);
 }
 
 TEST(Description, field_matters_as_its_condition_says) {
@@ -116,7 +122,7 @@ TEST(Description, field_matters_as_its_condition_says) {
   const auto is_live = [&](const std::string& key) {
     const Param param = find_param(settings, key, "");
     for (const ParamGroup& group : list_groups(settings)) {
-      if (group.owner == param.owner) return matters(*group.description, group.owner, *param.field);
+      if (group.owner == param.owner) return matters(settings, group, *param.field);
     }
     return false;
   };

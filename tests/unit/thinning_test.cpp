@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Thinning against Guo and Hall's conditions, written down pixel by pixel.
-#include "studies/measures/thinning.h"
+#include "pipeline/lines/thinning.h"
 
 #include <gtest/gtest.h>
 

@@ -87,13 +87,15 @@ void ParametersPanel::draw_search() {
   ui_map_.mark_item("only changed");
 }
 
-bool ParametersPanel::draw_group(const ParamGroup& group, const ParamGroup* baseline) {
+bool ParametersPanel::draw_group(const Settings& settings, const ParamGroup& group,
+                                 const ParamGroup* baseline) {
   const bool searching = !search_.empty() || only_changed_;
+  if (!searching && !matters(settings, group)) return false;  // another method's
   std::vector<RowContext> rows;
   for (const Field& field : group.description->fields) {
     RowContext row{group.prefix + "." + std::string(field.name), &field, field.get(group.owner)};
     row.baseline = baseline != nullptr ? field.get(baseline->owner) : row.value;
-    row.matters = matters(*group.description, group.owner, field);
+    row.matters = matters(settings, group, field);
     if (!is_found(row.key, field) || (only_changed_ && row.value == row.baseline)) continue;
     rows.push_back(std::move(row));
   }
@@ -136,7 +138,7 @@ void ParametersPanel::draw() {
   for (const ParamGroup& group : list_groups(settings)) {
     const auto same = std::find_if(baseline_groups.begin(), baseline_groups.end(),
                                    [&](const ParamGroup& other) { return other.prefix == group.prefix; });
-    any |= draw_group(group, same == baseline_groups.end() ? nullptr : &*same);
+    any |= draw_group(settings, group, same == baseline_groups.end() ? nullptr : &*same);
   }
   if (!any) draw_nothing_found();
   ImGui::EndChild();

@@ -32,7 +32,7 @@ class ParametersPanel {
   void draw_search();
   void draw_nothing_found();
   /// Returns whether any of it is shown.
-  bool draw_group(const ParamGroup& group, const ParamGroup* baseline);
+  bool draw_group(const Settings& settings, const ParamGroup& group, const ParamGroup* baseline);
   bool is_found(const std::string& key, const Field& field) const;
 
   Document& document_;

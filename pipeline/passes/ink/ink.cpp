@@ -2,9 +2,8 @@
 #include "pipeline/passes/ink/ink.h"
 
 #include "pipeline/flow/describe_pass.h"
-#include "pipeline/gl/framebuffer.h"
-#include "pipeline/params/glsl_block.h"
-#include "pipeline/passes/edges/combine.h"
+#include "pipeline/passes/edges/detection_pass.h"
+#include "pipeline/passes/ink/drawn_ink.h"
 #include "pipeline/passes/light/shade.h"
 
 namespace inkbench {
@@ -16,31 +15,64 @@ constexpr BufferInfo kFinal{.name = "final",
                             .channels = 3,
                             .shown_as = ShownAs::colour};
 
+/// look_block of shaders/ink.frag in std140.
+struct LookBlock {
+  glm::vec4 of_class[kEdgeClasses];
+  int is_papers;
+  int has_colours;
+  int padding[2];
+};
+
+LookBlock block_of(const InkLook& look) {
+  LookBlock block{};
+  for (size_t i = 0; i < kEdgeClasses; ++i)
+    block.of_class[i] = glm::vec4(look.of_class[i].colour, look.of_class[i].opacity);
+  block.is_papers = look.is_papers ? 1 : 0;
+  block.has_colours = look.has_colours ? 1 : 0;
+  return block;
+}
+
+struct InkLookInput {
+  InkLookInput bind(Flow&) const { return *this; }
+  static std::vector<PassInput> told() {
+    return {{InkParams::description().group}, {LineParams::description().group}};
+  }
+  InkLook get(const FrameState& frame) const {
+    const Settings& settings = frame.settings;
+    return {settings.ink, is_papers_ink(settings), settings.line.colour_by_class, settings.class_looks};
+  }
+  void fold(KeyBuilder& key, const FrameState& frame) const {
+    const InkLook look = get(frame);
+    key.add(group_text(look.ink));
+    if (look.is_papers) return;
+    key.add(look.has_colours ? "colours" : "one colour");
+    for (const ClassLookParams& params : look.of_class) key.add(group_text(params));
+  }
+};
+
 }  // namespace
 
 constinit const BufferName BufferName::final{kFinal};
 
 const PassKind& InkPass::kind() {
-  static const PassKind kKind =
-      describe_pass<InkPass>("ink", 1, {shows(BufferName::final)}, group<&Settings::ink>(),
-                             value_of<ShadePass>(), value_of<CombinePass>());
+  static const PassKind kKind = describe_pass<InkPass>("ink", 1, {shows(BufferName::final)}, InkLookInput{},
+                                                       value_of<ShadePass>(), value_of<DrawnInk>());
   return kKind;
 }
 
 InkPass::InkPass(const GeneratedSources& generated)
-    : program_(
-          "full_screen.vert", "ink.frag",
-          {.samplers = {"shaded_map", "edge_map"}, .uniform_blocks = {block_of(InkParams::description())}},
-          generated) {}
+    : program_("full_screen.vert", "ink.frag",
+               {.samplers = {"shaded_map", "drawn_map"},
+                .uniform_blocks = {inkbench::block_of(InkParams::description()),
+                                   {"look_block", sizeof(LookBlock)}}},
+               generated) {}
 
-Texture InkPass::run(const InkParams& params, const Texture& shaded, const Texture& edges) const {
+Texture InkPass::run(const InkLook& look, const Texture& shaded, const Texture& drawn) const {
   Texture final("final", TextureFormat::rgba32f, shaded.width_px(), shaded.height_px());
-  const RenderTarget target({&final}, nullptr);
-  const Buffer uniforms("ink block", pack_std140(InkParams::description(), &params));
-  program_.use();
-  bind_uniform_blocks({&uniforms});
-  bind_textures({&shaded, &edges});
-  draw_full_screen();
+  const LookBlock block = block_of(look);
+  const Buffer ink = block_buffer(look.ink);
+  const Buffer classes("look block", bytes_of(std::span<const LookBlock>(&block, 1)));
+  draw_over(final, program_, {&shaded, &drawn}, {&ink, &classes});
   return final;
 }
 

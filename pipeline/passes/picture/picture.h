@@ -12,8 +12,9 @@ struct PictureView {
   int channel = kColour;  ///< 0 to 3 shows that channel as grey.
   float low = 0.0F;       ///< Subtracted before the gain: the value that is shown as black.
 
-  static constexpr int kColour = -1;    ///< The first three channels as colour.
-  static constexpr int kObjectId = -2;  ///< Red as an object's id, each in a colour of its own.
+  static constexpr int kColour = -1;     ///< The first three channels as colour.
+  static constexpr int kObjectId = -2;   ///< Red as an object's id, each in a colour of its own.
+  static constexpr int kEdgeClass = -3;  ///< Green as a class of lines.
 };
 
 class PicturePass {

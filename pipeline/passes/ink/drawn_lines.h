@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The drawn lines as they are measured. In: what the edge detector gives. Out: a map of 0 and 1, the buffer
-// `lines`, which `score`, `measure`, studies and the window's judge all read.
+// The drawn lines as they are measured. In: what is drawn. Out: a map of 0 and 1, the buffer `lines`, which
+// `score`, `measure`, studies and the window's judge all read; and the coverage that decides it.
 #pragma once
 
 #include "pipeline/flow/flow.h"
@@ -13,8 +13,9 @@ class LinesPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit LinesPass(const GeneratedSources& generated);
-  /// Out: r8, 1 where `edges` is not 0, which is where the ink lies, else 0.
-  Texture run(const Texture& edges) const;
+  /// Out: red: 1 where at least half of the pixel is ink, else 0; green: how much is. rg8 for the paper's
+  /// method, which knows all or nothing; else rg32f.
+  Texture run(bool is_papers, const Texture& drawn) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/measures/thinning.h"
+#include "pipeline/lines/thinning.h"
 
 #include <array>
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/passes/edges/found_edges.h"
+
+#include "pipeline/flow/describe_choice.h"
+#include "pipeline/passes/edges/laplacian.h"
+#include "pipeline/passes/edges/paper_strength.h"
+
+namespace inkbench {
+namespace {
+
+constexpr BufferInfo kEdgeStrength{
+    .name = "edge_strength",
+    .help = "How much of what makes a line the detector sees: 1 is at the limit.",
+    .gain = &DisplayParams::strength_gain};
+constexpr BufferInfo kEdgeClass{.name = "edge_class",
+                                .help =
+                                    "What each detected pixel is of: object, silhouette, crease, normal, "
+                                    "shadow or material.",
+                                .first_channel = 1,
+                                .shown_as = ShownAs::edge_class};
+
+}  // namespace
+
+constinit const BufferName BufferName::edge_strength{kEdgeStrength};
+constinit const BufferName BufferName::edge_class{kEdgeClass};
+
+const PassKind& FoundEdges::kind() {
+  static const PassKind kKind = describe_choice<FoundEdges, PaperStrengthPass, LaplacianPass, LaplacianPass,
+                                                LaplacianPass, LaplacianPass, LaplacianPass>(
+      "edges", EdgesParams::description().group,
+      {shows(BufferName::edge_strength), shows(BufferName::edge_class)});
+  return kKind;
+}
+
+}  // namespace inkbench

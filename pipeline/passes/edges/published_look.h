@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Lines as the published detectors draw them: Decaudin's and Saito and Takahashi's grey p, Mitchell's pixels
+// made wider. In: a detection. Out: ink, as the lines' coverage is (pipeline/passes/ink/coverage.h).
+#pragma once
+
+#include "pipeline/flow/flow.h"
+#include "pipeline/gl/program.h"
+
+namespace inkbench {
+
+class PublishedLookPass {
+ public:
+  using Value = Texture;
+  static const PassKind& kind();
+  explicit PublishedLookPass(const GeneratedSources& generated);
+  /// Out: rg32f: coverage 0 to 1, which is half at the detection's limit; class.
+  Texture run(EdgeMethod method, const Texture& detection) const;
+  const Program& program() const { return program_; }
+  Program& program() { return program_; }
+
+ private:
+  Program program_;
+};
+
+}  // namespace inkbench

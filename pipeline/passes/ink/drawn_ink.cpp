@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/passes/ink/drawn_ink.h"
+
+#include "pipeline/flow/describe_choice.h"
+#include "pipeline/passes/edges/combine.h"
+#include "pipeline/passes/edges/published_look.h"
+#include "pipeline/passes/ink/coverage.h"
+
+namespace inkbench {
+namespace {
+
+bool draws_as_published(const Settings& settings) {
+  switch (settings.edges.method) {
+    case EdgeMethod::decaudin:
+      return !settings.decaudin.thin;
+    case EdgeMethod::saito_takahashi:
+      return !settings.saito_takahashi.thin;
+    case EdgeMethod::mitchell:
+      return !settings.mitchell.thin;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+size_t DrawnInk::chosen(const Settings& settings) {
+  if (is_papers_ink(settings)) return 0;
+  return draws_as_published(settings) ? 1 : 2;
+}
+
+const PassKind& DrawnInk::kind() {
+  static const PassKind kKind = describe_choice<DrawnInk, CombinePass, PublishedLookPass, CoveragePass>(
+      "drawn_ink", EdgesParams::description().group, {});
+  return kKind;
+}
+
+}  // namespace inkbench

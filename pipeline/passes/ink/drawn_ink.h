@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What is drawn over the shading: the paper's combined edges as they are, the published detectors' own look,
+// or the coverage of placed lines. `lib/ink.glsl` says how it is read.
+#pragma once
+
+#include "pipeline/flow/flow.h"
+#include "pipeline/gl/texture.h"
+
+namespace inkbench {
+
+struct DrawnInk {
+  using Value = Texture;
+  static const PassKind& kind();
+  /// By `edges.method` and whether the method draws thinned lines.
+  static size_t chosen(const Settings& settings);
+};
+
+/// Is the value the paper's combined edges, of which whatever is not 0 is ink?
+inline bool is_papers_ink(const Settings& settings) {
+  return settings.edges.method == EdgeMethod::paper;
+}
+
+}  // namespace inkbench

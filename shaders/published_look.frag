@@ -1,0 +1,22 @@
+#version 450 core
+// SPDX-License-Identifier: MIT
+// Ink as the published detectors draw it: half at the limit and full at twice the limit; Mitchell's dilates its pixels by
+// 3 x 3.
+#include "generated/edges.glsl"
+
+uniform sampler2D detection_map;  // strength, class
+layout(location = 0) out vec2 ink;  // coverage, class
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec2 here = texelFetch(detection_map, at, 0).rg;
+  ink = vec2(min(here.r / 2.0, 1.0), here.g);
+  if (edges.method != edges_method_mitchell) return;
+  ivec2 last = textureSize(detection_map, 0) - 1;
+  vec2 strongest = here;
+  for (int i = 0; i < 9; ++i) {
+    vec2 there = texelFetch(detection_map, clamp(at + ivec2(i % 3, i / 3) - 1, ivec2(0), last), 0).rg;
+    if (there.r > strongest.r) strongest = there;
+  }
+  ink = vec2(strongest.r >= 1.0 ? 1.0 : 0.0, strongest.g);
+}
