@@ -32,17 +32,18 @@ namespace {
 
 std::vector<const PassKind*>& list() {
   static std::vector<const PassKind*> passes{
-      &MeshesPass::kind(),        &GBufferPass::kind(), &QuantisePass::kind(),
+      &MeshesPass::kind(),        &GBufferPass::kind(),     &QuantisePass::kind(),
       &VisibleRangePass::kind(),  // maps
-      &GradientPass::kind(),      &RangePass::kind(),   &CombinePass::kind(),
+      &GradientPass::kind(),      &RangePass::kind(),       &CombinePass::kind(),
       &PaperStrengthPass::kind(),                       // paper
       &LaplacianPass::kind(),     &FoundEdges::kind(),  // other detectors
-      &CandidatesPass::kind(),    &PlacePass::kind(),   &PlacedLines::kind(),
-      &ConnectPass::kind(),                                                     // placing
-      &SeedsPass::kind(),         &FloodPass::kind(),   &CoveragePass::kind(),  // width
-      &PublishedLookPass::kind(), &DrawnInk::kind(),    &LinesPass::kind(),     // ink
-      &ShadePass::kind(),         &InkPass::kind(),     &BlinnPhong::kind(),    // light, and ink over it
-      &ReferencePass::kind(),                                                   // beside the chain
+      &CandidatesPass::kind(),    &PlacePass::kind(),       &PlacedLines::kind(),
+      &ConnectPass::kind(),  // placing
+      &SeedsPass::kind(),         &FloodPass::kind(),       &CoveragePass::kind(),
+      &AliasedCoverage::kind(),   &SampledCoverage::kind(),                       // width
+      &PublishedLookPass::kind(), &DrawnInk::kind(),        &LinesPass::kind(),   // ink
+      &ShadePass::kind(),         &InkPass::kind(),         &BlinnPhong::kind(),  // light, and ink over it
+      &ReferencePass::kind(),                                                     // beside the chain
   };
   return passes;
 }

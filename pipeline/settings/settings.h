@@ -42,7 +42,7 @@ struct Settings {
   MitchellParams mitchell;
   LaplacianParams laplacian;
   LineParams line;
-  std::array<ClassLookParams, kEdgeClasses> class_looks;  ///< From `EdgeClass::object` on.
+  ClassLooks class_looks = default_class_looks();
   InkParams ink;
   DisplayParams display;
   JudgeParams judge;
