@@ -4,14 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+
+#include "pipeline/passes/placing/placed_lines.h"
 
 namespace inkbench {
 namespace {
 
 void set(Image& placed, int x, int y, float strength) {
-  placed.at(x, y, 2) = static_cast<float>(EdgeClass::crease);
-  placed.at(x, y, 3) = strength;
+  set_placed(placed, x, y, {0, 0, EdgeClass::crease, std::min(strength, 1.0F)});
 }
 bool is_line(const Image& placed, int x, int y) {
   return placed.at(x, y, 2) > 0.0F;
@@ -67,6 +68,17 @@ TEST(Connect, width_grows_from_the_ends_and_closed_lines_have_none) {
   EXPECT_NEAR(result.at(25, 1, 3), 2.5F / 4.0F, 1e-6);
   EXPECT_EQ(result.at(15, 1, 3), 1.0F);
   EXPECT_EQ(result.at(6, 4, 3), 1.0F);
+}
+
+TEST(PlacedLines, what_is_packed_is_read_within_a_250th_of_a_pixel) {
+  Image packed(1, 1, 4);
+  for (const float offset : {-0.499F, -0.25F, 0.0F, 0.13F, 0.499F}) {
+    set_placed(packed, 0, 0, {offset, -offset, EdgeClass::material, 0.5F});
+    const PlacedLine line = placed_at(packed, 0, 0);
+    EXPECT_NEAR(line.offset_x, offset, 0.002F);
+    EXPECT_NEAR(line.offset_y, -offset, 0.002F);
+    EXPECT_EQ(line.line_class, EdgeClass::material);
+  }
 }
 
 TEST(Connect, an_empty_image_stays_empty) {

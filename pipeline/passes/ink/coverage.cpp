@@ -8,15 +8,6 @@
 namespace inkbench {
 namespace {
 
-/// coverage_block of shaders/coverage.frag in std140.
-struct CoverageBlock {
-  int samples;
-  int padding[3];
-};
-
-int drawn_samples(const Settings& settings) {
-  return settings.line.antialias ? 0 : 1;
-}
 template <int count>
 int fixed_samples(const Settings&) {
   return count;
@@ -29,6 +20,14 @@ PassKind describe_coverage(std::string_view name, int cost) {
 }
 
 }  // namespace
+
+Buffer coverage_buffer(const CoverageBlock& block) {
+  return {"coverage block", bytes_of(std::span<const CoverageBlock>(&block, 1))};
+}
+
+int drawn_samples(const Settings& settings) {
+  return settings.line.antialias ? 0 : 1;
+}
 
 const PassKind& CoveragePass::kind() {
   static const PassKind kKind = describe_coverage<CoveragePass, drawn_samples>("coverage", 4);
@@ -46,16 +45,15 @@ const PassKind& SampledCoverage::kind() {
 }
 
 CoveragePass::CoveragePass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "coverage.frag",
-               {.samplers = {"seed_map", "normal_and_depth_map"},
-                .uniform_blocks = {{"coverage_block", sizeof(CoverageBlock)}, kLensBlock}},
-               generated) {}
+    : program_(
+          "full_screen.vert", "coverage.frag",
+          {.samplers = {"seed_map", "normal_and_depth_map"}, .uniform_blocks = {kCoverageBlock, kLensBlock}},
+          generated) {}
 
 Texture CoveragePass::run(int samples, const LensBlock& lens, const Texture& nearest,
                           const GBuffer& gbuffer) const {
-  Texture ink("coverage", TextureFormat::rg32f, nearest.width_px(), nearest.height_px());
-  const CoverageBlock block{samples, {}};
-  const Buffer count("coverage block", bytes_of(std::span<const CoverageBlock>(&block, 1)));
+  Texture ink("coverage", TextureFormat::rg8, nearest.width_px(), nearest.height_px());
+  const Buffer count = coverage_buffer({samples, 0, {}});
   const Buffer lens_uniforms = lens_buffer(lens);
   draw_over(ink, program_, {&nearest, &gbuffer.normal_and_depth}, {&count, &lens_uniforms});
   return ink;

@@ -9,14 +9,26 @@
 
 namespace inkbench {
 
+/// coverage_block of shaders/lib/pieces.glsl in std140.
+struct CoverageBlock {
+  int samples;
+  int reach_px;
+  int padding[2];
+};
+inline const UniformBlock kCoverageBlock{"coverage_block", sizeof(CoverageBlock)};
+Buffer coverage_buffer(const CoverageBlock& block);
+
+/// How many samples a side `line.antialias` asks for; 0: the exact share.
+int drawn_samples(const Settings& settings);
+
 class CoveragePass {
  public:
   using Value = Texture;
   static const PassKind& kind();
   explicit CoveragePass(const GeneratedSources& generated);
   /// In: each pixel's nearest line (flood.h); `samples` a side that are in or out, or 0 for the exact share.
-  /// Out: rg32f: coverage, 0 to 1; class, 0 where there is no ink. Not over a surface that lies in front of
-  /// the line's.
+  /// Out: rg8: coverage, 0 to 1; class / 255, 0 where there is no ink. Not over a surface that lies in front
+  /// of the line's.
   Texture run(int samples, const LensBlock& lens, const Texture& nearest, const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }

@@ -145,9 +145,7 @@ Image connected(Image placed, const ConnectParams& params) {
       const LinePart part = part_from(graph, before, {x, y}, seen);
       const bool is_weak = params.has_weak && part.strongest < 1.0F;
       if (is_weak || length_of(graph, part) < params.min_length_px) {
-        for (const Pixel& pixel : part.pixels) {
-          for (int c = 0; c < 4; ++c) placed.at(pixel.x, pixel.y, c) = 0.0F;
-        }
+        for (const Pixel& pixel : part.pixels) set_placed(placed, pixel.x, pixel.y, {});
       } else {
         set_widths(graph, part, params.taper_px, distance, placed);
       }
@@ -168,7 +166,7 @@ bool ConnectPass::hands_on(const Settings& settings) {
 }
 
 Texture ConnectPass::run(const Texture& placed, const ConnectParams& params) const {
-  Texture result("connected lines", TextureFormat::rgba32f, placed.width_px(), placed.height_px());
+  Texture result("connected lines", TextureFormat::rgba8, placed.width_px(), placed.height_px());
   result.upload(connected(placed.read(0, 4), params));
   return result;
 }
