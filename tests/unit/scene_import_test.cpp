@@ -141,6 +141,21 @@ TEST_F(SceneImport, cameras_look_from_their_nodes) {
   EXPECT_EQ(camera.aspect, 1.0);
 }
 
+TEST_F(SceneImport, an_orthographic_camera_shows_what_it_did) {
+  // ymag is half of the height; a node's scale is none of the camera's.
+  const auto scene = import(
+      {.nodes = R"({"mesh": 0}, {"name": "eye", "camera": 0, "translation": [1, 2, 3], "scale": [5, 5, 5]})",
+       .scene_nodes = "0, 1",
+       .more = R"(, "cameras": [{"type": "orthographic",
+                  "orthographic": {"xmag": 3, "ymag": 2, "zfar": 100, "znear": 0.1}}])"});
+  ASSERT_EQ(scene->cameras.size(), 1U);
+  const ImportedCamera& camera = scene->cameras[0];
+  EXPECT_NEAR(glm::length(camera.eye - glm::dvec3(1, 2, 3)), 0.0, 1e-6);
+  EXPECT_NEAR(glm::length(glm::normalize(camera.direction) - glm::dvec3(0, 0, -1)), 0.0, 1e-6);
+  EXPECT_NEAR(camera.view_height, 4.0, 1e-6);
+  EXPECT_THAT(scene->view_notes, IsEmpty());
+}
+
 TEST_F(SceneImport, lights_have_place_or_direction) {
   const auto scene = import(
       {.nodes = R"({"mesh": 0}, {"name": "sun", "extensions": {"KHR_lights_punctual": {"light": 0}}},
@@ -184,6 +199,17 @@ TEST_F(SceneImport, a_scene_far_away_or_very_large_or_small_comes_into_reach) {
     EXPECT_EQ(scene->notes.size(), 1U);
     fs::remove(folder_.path() / "square.gltf");
   }
+}
+
+TEST_F(SceneImport, a_scene_that_places_in_settings_hold_stays_as_large_as_it_is) {
+  const auto scene = import({.nodes = R"({"mesh": 0, "scale": [1e5, 1e5, 1e5]})"});
+  EXPECT_NEAR(box_of(*scene).high.x, 1e5, 1.0);
+  EXPECT_THAT(scene->notes, IsEmpty());
+  fs::remove(folder_.path() / "square.gltf");
+  const auto far =
+      import({.nodes = R"({"mesh": 0, "translation": [900000, 0, 0], "scale": [1e5, 1e5, 1e5]})"});
+  EXPECT_LT(glm::length(box_of(*far).middle()), 1.0);
+  EXPECT_EQ(far->notes.size(), 1U);
 }
 
 TEST_F(SceneImport, a_file_is_read_again_when_it_or_its_buffer_changes) {
@@ -277,7 +303,7 @@ TEST(SceneTransfer, what_is_sent_arrives) {
   soup.empty_polygons = 5;
   soup.notes = {"note"};
   scene.parts = {{"part", soup, {0.1F, 0.2F, 0.3F}}};
-  scene.cameras = {{"camera", {1, 2, 3}, {0, 1, 0}, {1, 0, 0}, 30.0, 1.5}};
+  scene.cameras = {{"camera", {1, 2, 3}, {0, 1, 0}, {1, 0, 0}, 30.0, 1.5, 7.0}};
   scene.lights = {{"light", ImportedLightType::point, {7, 8, 9}, {0, 0, 1}, {3, 2, 1}}};
   scene.notes = {"moved"};
   scene.view_notes = {"left out"};
@@ -298,6 +324,7 @@ TEST(SceneTransfer, what_is_sent_arrives) {
   EXPECT_EQ(back.parts[0].soup.empty_polygons, 5U);
   EXPECT_EQ(back.parts[0].soup.notes, soup.notes);
   EXPECT_EQ(back.cameras[0].horizontal_fov_deg, 30.0);
+  EXPECT_EQ(back.cameras[0].view_height, 7.0);
   EXPECT_EQ(back.lights[0].type, ImportedLightType::point);
   EXPECT_EQ(back.lights[0].intensity, glm::dvec3(3, 2, 1));
   EXPECT_EQ(back.view_notes, scene.view_notes);

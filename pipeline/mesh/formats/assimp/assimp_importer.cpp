@@ -84,20 +84,23 @@ class SceneReader {
     return place == places_.end() ? nodes_.front().to_world : place->second;
   }
 
+  /// 0 of a perspective camera. Assimp's width is half of what is seen. The scale of a camera's node counts
+  /// for nothing (glTF 2.0, 3.10.2).
+  static double orthographic_height(const aiCamera& camera) {
+    const double width = 2.0 * std::abs(static_cast<double>(camera.mOrthographicWidth));
+    return camera.mAspect > 0.0F ? width / static_cast<double>(camera.mAspect) : width;
+  }
+
   void add_camera(const aiCamera& camera) {
     const glm::dmat4 place = place_of(camera.mName);
-    if (camera.mOrthographicWidth > 0.0F) {
-      result_.view_notes.push_back("Left out the orthographic camera '" + std::string(camera.mName.C_Str()) +
-                                   "'.");
-      return;
-    }
     // A glTF camera without an aspect fits any; Assimp takes 1 for its horizontal angle.
     const double aspect = camera.mAspect > 0.0F ? camera.mAspect : (is_gltf_ ? 1.0 : 0.0);
     // It stands at its node; Assimp repeats the node's translation as its position.
     const aiVector3D position = is_gltf_ ? aiVector3D() : camera.mPosition;
     result_.cameras.push_back({camera.mName.C_Str(), placed(place, position), turned(place, camera.mLookAt),
                                turned(place, camera.mUp),
-                               glm::degrees(static_cast<double>(camera.mHorizontalFOV)), aspect});
+                               glm::degrees(static_cast<double>(camera.mHorizontalFOV)), aspect,
+                               orthographic_height(camera)});
   }
 
   void add_light(const aiLight& light) {
