@@ -231,8 +231,7 @@ TEST(GBuffer, nearer_surfaces_hide_farther_ones_in_any_order) {
   EXPECT_EQ(largest_difference(pipeline.at(settings).raw(BufferName::depth), depth), 0.0);
 }
 
-TEST(GBuffer, a_model_beyond_the_far_plane_is_told_once) {
-  Settings settings = analytic_scene();
+void expect_told_once(Settings settings) {
   std::vector<std::string> notes;
   const LogSink before = set_log_sink([&](const std::string& note) { notes.push_back(note); });
   Pipeline pipeline;
@@ -241,10 +240,16 @@ TEST(GBuffer, a_model_beyond_the_far_plane_is_told_once) {
   settings.models[1].position += 100.0F * (settings.camera.target - settings.camera.eye);
   pipeline.at(settings).raw(BufferName::depth);
   settings.camera.fov += 1.0F;
+  settings.camera.view_height += 1.0F;
   pipeline.at(settings).raw(BufferName::depth);
   set_log_sink(before);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(notes[0].substr(0, notes[0].find(" lies")), "model '" + settings.models[1].name + "'");
+}
+
+TEST(GBuffer, a_model_beyond_the_far_plane_is_told_once) {
+  expect_told_once(analytic_scene());
+  expect_told_once(orthographic_scene());
 }
 
 TEST(GBuffer, a_face_seen_from_behind_takes_the_opposite_normal_where_it_is_two_sided) {
