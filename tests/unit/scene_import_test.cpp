@@ -126,6 +126,22 @@ TEST_F(SceneImport, a_material_colours_its_part_as_it_is_displayed) {
   EXPECT_NEAR(colour.z, 0.0, 1e-6);
 }
 
+/// A triangle, and what else the file's library and scene hold.
+std::string collada(const std::string& library, const std::string& nodes) {
+  return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+      <asset><up_axis>Y_UP</up_axis></asset>)" +
+         library + R"(<library_geometries><geometry id="g"><mesh><source id="p">
+      <float_array id="pa" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>
+      <accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+      <param name="Z" type="float"/></accessor></technique_common></source><vertices id="v">
+      <input semantic="POSITION" source="#p"/></vertices><triangles count="1">
+      <input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry>
+      </library_geometries><library_visual_scenes><visual_scene id="s">
+      <node id="n"><instance_geometry url="#g"/></node>)" +
+         nodes +
+         R"(</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+}
+
 TEST_F(SceneImport, cameras_look_from_their_nodes) {
   const auto scene = import(
       {.nodes =
@@ -154,6 +170,26 @@ TEST_F(SceneImport, an_orthographic_camera_shows_what_it_did) {
   EXPECT_NEAR(glm::length(glm::normalize(camera.direction) - glm::dvec3(0, 0, -1)), 0.0, 1e-6);
   EXPECT_NEAR(camera.view_height, 4.0, 1e-6);
   EXPECT_THAT(scene->view_notes, IsEmpty());
+}
+
+TEST_F(SceneImport, a_collada_files_orthographic_camera_is_left_out_and_told) {
+  // Assimp takes its size for an angle.
+  const std::string camera =
+      R"(<library_cameras><camera id="cam" name="cam"><optics><technique_common><orthographic>
+      <xmag>1.5</xmag><aspect_ratio>1</aspect_ratio><znear>1</znear><zfar>9</zfar></orthographic>
+      </technique_common></optics></camera></library_cameras>)";
+  const auto scene =
+      import_scene(write("c.dae", collada(camera, R"(<node><instance_camera url="#cam"/></node>)")));
+  EXPECT_THAT(scene->cameras, IsEmpty());
+  EXPECT_THAT(scene->view_notes, ElementsAre(HasSubstr("Left out the cameras")));
+  EXPECT_EQ(scene->parts.size(), 1U);
+  // And nothing is known of one without a name.
+  std::string nameless = camera;
+  nameless.erase(nameless.find(" name="), std::string(" name=\"cam\"").size());
+  const auto other =
+      import_scene(write("d.dae", collada(nameless, R"(<node id="c"><instance_camera url="#cam"/></node>)")));
+  EXPECT_THAT(other->cameras, IsEmpty());
+  EXPECT_THAT(other->view_notes, ElementsAre(HasSubstr("Left out the camera 'c'")));
 }
 
 TEST_F(SceneImport, lights_have_place_or_direction) {
