@@ -58,5 +58,27 @@ TEST(ReferenceOrthographic, sphere_is_a_circle_of_its_own_radius) {
     EXPECT_NEAR(glm::length(glm::dvec2(point) - glm::dvec2(128.0)), 64.0, 0.3);
 }
 
+TEST(ReferenceOrthographic, a_direction_sees_what_an_eye_very_far_away_in_it_does) {
+  Mesh dented = make_sphere(48);
+  for (glm::vec3& p : dented.positions) p *= 1.0F + 0.2F * std::sin(5.0F * p.x) * std::sin(5.0F * p.y + 1.0F);
+  const MeshTopology topology = make_topology(dented);
+  FeatureParams params;
+  params.stretch[1][1] = 1.5;
+  const MeshFeatures features = make_features(topology, params);
+  const glm::dvec3 direction(0.3, 0.5, 0.9);
+  const Viewpoint eye = 1e9 * direction;
+  const Viewpoint infinity = Viewpoint::at_infinity(direction);
+  EXPECT_EQ(face_facings(topology, infinity), face_facings(topology, eye));
+  const std::vector<Polyline3> expected = suggestive_contours(features, eye);
+  const std::vector<Polyline3> lines = suggestive_contours(features, infinity);
+  ASSERT_FALSE(lines.empty());
+  ASSERT_EQ(lines.size(), expected.size());
+  for (size_t i = 0; i < lines.size(); ++i) {
+    ASSERT_EQ(lines[i].points.size(), expected[i].points.size());
+    for (size_t j = 0; j < lines[i].points.size(); ++j)
+      EXPECT_LT(glm::length(lines[i].points[j] - expected[i].points[j]), 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace inkbench
