@@ -12,6 +12,7 @@
 #include "pipeline/passes/edges/range.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/passes/gbuffer/meshes.h"
+#include "pipeline/passes/gbuffer/motion.h"
 #include "pipeline/passes/gbuffer/quantise.h"
 #include "pipeline/passes/gbuffer/visible_range.h"
 #include "pipeline/passes/ink/coverage.h"
@@ -33,27 +34,28 @@ namespace inkbench {
 namespace {
 
 std::vector<const PassKind*>& list() {
+  // clang-format off
   static std::vector<const PassKind*> passes{
-      &MeshesPass::kind(),         &GBufferPass::kind(),
-      &QuantisePass::kind(),
-      &VisibleRangePass::kind(),  // maps
-      &GradientPass::kind(),       &RangePass::kind(),
-      &CombinePass::kind(),
-      &PaperStrengthPass::kind(),                        // paper
-      &LaplacianPass::kind(),      &FoundEdges::kind(),  // other detectors
-      &CandidatesPass::kind(),     &PlacePass::kind(),
-      &PlacedLines::kind(),
-      &ConnectPass::kind(),  // placing
-      &SeedsPass::kind(),          &FloodPass::kind(),
-      &CoveragePass::kind(),       &LineTilesPass::kind(),
-      &NarrowCoveragePass::kind(), &LineCoverage::kind(),
-      &AliasedCoverage::kind(),    &SampledCoverage::kind(),  // width
-      &PublishedLookPass::kind(),  &DrawnInk::kind(),
-      &LinesPass::kind(),  // ink
-      &ShadePass::kind(),          &InkPass::kind(),
-      &BlinnPhong::kind(),     // light, and ink over it
-      &ReferencePass::kind(),  // beside the chain
+      // scene to maps
+      &MeshesPass::kind(), &GBufferPass::kind(), &QuantisePass::kind(), &VisibleRangePass::kind(),
+      // the paper's method
+      &GradientPass::kind(), &RangePass::kind(), &CombinePass::kind(), &PaperStrengthPass::kind(),
+      // the others
+      &LaplacianPass::kind(),
+      &FoundEdges::kind(),
+      // where lines run
+      &CandidatesPass::kind(), &PlacePass::kind(), &PlacedLines::kind(), &ConnectPass::kind(),
+      // how wide they are, and what of each pixel they cover
+      &SeedsPass::kind(), &FloodPass::kind(), &CoveragePass::kind(),
+      &LineTilesPass::kind(), &NarrowCoveragePass::kind(), &LineCoverage::kind(),
+      &AliasedCoverage::kind(), &SampledCoverage::kind(),
+      &PublishedLookPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
+      // light, and ink over it
+      &ShadePass::kind(), &InkPass::kind(), &BlinnPhong::kind(),
+      // beside the chain
+      &ReferencePass::kind(), &MotionPass::kind(),
   };
+  // clang-format on
   return passes;
 }
 
