@@ -33,14 +33,14 @@ void measure(const MeasureOptions& options) {
   Pipeline pipeline;
   const DrawingTally tally = DrawingMeter(pipeline, MeasureNeeds::all()).tally(pipeline.at(settings));
   if (options.json) {
-    print_out("{}\n", measures_json(all_measures(), tally));
+    print_out("{}\n", measures_json(measures_of_a_view(), tally));
     return;
   }
   print_out("The drawing against its reference lines, {} x {}, tolerance {} px\n", settings.image.width,
             settings.image.height, shortest(settings.judge.tolerance));
   if (tally.lines.empty())
     print_out("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
-  print_out("{}", measures_table(all_measures(), tally));
+  print_out("{}", measures_table(measures_of_a_view(), tally));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ LineView DrawingMeter::full_view(const Frame& full) {
   return view;
 }
 
-DrawingTally DrawingMeter::tally(const Frame& frame) {
+DrawingTally DrawingMeter::tally(const Frame& frame, const Frame* before) {
   const Settings& settings = frame.settings();
   // The full mesh first, so that what is kept in the end is this drawing's, which the next may share.
   std::optional<LineView> full;
@@ -57,6 +57,8 @@ DrawingTally DrawingMeter::tally(const Frame& frame) {
   const LineView view = lines ? line_view(drawn, *lines, settings.judge) : LineView{drawn, {}, {}, {}};
   DrawingTally tally = tally_view({view, lines.get(), full ? &*full : nullptr}, settings.judge, needs_);
   if (needs_.faces) tally.faces = drawn_faces(pipeline_.meshes(), settings);
+  if (needs_.path() && before != nullptr) tally.flicker = flicker_.tally(*before, frame);
+  if (needs_.path() && before == nullptr) flicker_.start(frame);
   return tally;
 }
 
@@ -66,8 +68,9 @@ DrawingTally DrawingMeter::tally(std::span<const Settings> views) {
   return sum;
 }
 
-Key DrawingMeter::key(const Frame& frame) {
+Key DrawingMeter::key(const Frame& frame, const Frame* before) {
   KeyBuilder builder;
+  if (needs_.path() && before != nullptr) builder.add(flicker_.key(*before, frame));
   builder.add(frame.key(BufferName::lines));
   if (needs_.reference_lines())
     builder.add(frame.key(BufferName::reference)).add(judge_text(frame.settings().judge));

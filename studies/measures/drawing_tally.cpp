@@ -20,6 +20,7 @@ void DrawingTally::add(const DrawingTally& other) {
   for (size_t i = 0; i < recall.size(); ++i) recall[i].add(other.recall[i]);
   pool(ladder, other.ladder);
   pool(inner, other.inner);
+  pool(flicker, other.flicker);
 }
 
 DrawingTally tally_maps(const LinesToMeasure& lines) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pipeline/lines/lines.h"
+#include "studies/measures/flicker_tally.h"
 #include "studies/measures/ladder_tally.h"
 #include "studies/measures/tally.h"
 
@@ -20,6 +21,7 @@ struct DrawingTally {
   std::array<ShareCounts, kLineClasses.size()> recall;  ///< By class.
   std::optional<LadderTally> ladder;                    ///< Against the full mesh.
   std::optional<InnerTally> inner;
+  std::optional<FlickerTally> flicker;  ///< Between the frames of a path.
 
   void add(const DrawingTally& other);
 };

@@ -210,6 +210,24 @@ std::vector<Measure> ladder_rows() {
   };
 }
 
+/// What comes and goes while the camera moves.
+std::vector<Measure> path_rows() {
+  return {
+      {.key = "flicker",
+       .help = "Of the drawn lines whose place is seen from one frame to the next, this share comes or goes.",
+       .label = "flicker",
+       .better = kLess,
+       .needs = Need::frames,
+       .value = [](const Tally& t) { return t.flicker ? t.flicker->drawn.share() : std::nullopt; }},
+      {.key = "flicker_reference",
+       .help = "The same of the wanted lines: what has to change, since silhouettes slide.",
+       .label = "flicker of the reference",
+       .better = Better::neither,
+       .needs = Need::reference_frames,
+       .value = [](const Tally& t) { return t.flicker ? t.flicker->wanted.share() : std::nullopt; }},
+  };
+}
+
 std::vector<Measure> make_table() {
   std::vector<Measure> table{{.key = "faces",
                               .help = "Triangles of the main model as it is drawn.",
@@ -225,6 +243,7 @@ std::vector<Measure> make_table() {
   add(shape_rows());
   add_recalls(table, std::make_index_sequence<kLineClasses.size()>());
   add(ladder_rows());
+  add(path_rows());
   return table;
 }
 
@@ -267,6 +286,12 @@ void MeasureNeeds::add(const Measure& measure) {
     case Need::inner_lines:
       inner = true;
       break;
+    case Need::frames:
+      frames = true;
+      break;
+    case Need::reference_frames:
+      reference_frames = true;
+      break;
   }
 }
 
@@ -277,7 +302,8 @@ MeasureNeeds MeasureNeeds::all() {
 }
 
 bool MeasureNeeds::reference_lines() const {
-  return lines || full_mesh() || std::find(classes.begin(), classes.end(), true) != classes.end();
+  return lines || full_mesh() || reference_frames ||
+         std::find(classes.begin(), classes.end(), true) != classes.end();
 }
 
 }  // namespace inkbench

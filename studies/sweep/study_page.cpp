@@ -93,8 +93,7 @@ StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const Stud
   page.facts = facts(spec, folder, origin);
   page.width_px = spec.base.image.width;
   page.height_px = spec.base.image.height;
-  if (spec.views.empty()) page.views = {""};
-  for (const NamedSet& view : spec.views) page.views.push_back(view.name);
+  for (size_t view = 0; view < view_count(spec); ++view) page.views.push_back(view_label(spec, view));
   for (const BufferName buffer : spec.show) page.buffers.emplace_back(name_of(buffer));
   page.axes = page_axes(spec);
   page.columns = page_columns(spec, folder);

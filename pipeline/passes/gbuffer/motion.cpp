@@ -48,7 +48,8 @@ struct BoundMotionPlaces {
   }
   MotionPlaces get(const FrameState& frame) const {
     if (!frame.previous) return {places(frame), std::nullopt};
-    // Whoever carries points one way mostly carries them back, too.
+    // Whoever carries points one way mostly carries them back, too. This input comes first, so that the
+    // G-buffer of the other frame is still there.
     drawn.meshes.node->keep_frames(2);
     flow->node<GBufferPass>().keep_frames(2);
     return {places(frame), places(*frame.previous)};
@@ -119,7 +120,7 @@ constinit const BufferName BufferName::motion{kMotion};
 
 const PassKind& MotionPass::kind() {
   static const PassKind kKind = describe_pass<MotionPass>("motion", 3, {shows(BufferName::motion)},
-                                                          value_of<GBufferPass>(), MotionPlacesInput{});
+                                                          MotionPlacesInput{}, value_of<GBufferPass>());
   return kKind;
 }
 
@@ -130,7 +131,7 @@ MotionPass::MotionPass(const GeneratedSources& generated)
            .uniform_blocks = {{"motion_block", sizeof(MotionBlock)}, {"motion_models", sizeof(ModelMoves)}}},
           generated) {}
 
-Texture MotionPass::run(const GBuffer& gbuffer, const MotionPlaces& places) const {
+Texture MotionPass::run(const MotionPlaces& places, const GBuffer& gbuffer) const {
   const FramePlaces& here = places.here;
   Texture result("motion", TextureFormat::rgba32f, here.width_px, here.height_px);
   const RenderTarget target({&result}, nullptr);

@@ -33,7 +33,7 @@ class MotionPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit MotionPass(const GeneratedSources& generated);
-  Texture run(const GBuffer& gbuffer, const MotionPlaces& places) const;
+  Texture run(const MotionPlaces& places, const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 
