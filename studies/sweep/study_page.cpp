@@ -66,7 +66,8 @@ std::vector<std::string> facts(const StudySpec& spec, const StudyFolder& folder,
   const size_t count = cell_count(spec);
   const size_t failed = count - folder.done_count();
   const ImageParams& image = spec.base.image;
-  return {counted(count, "cell", "cells") + (sides.size() > 1 ? " (" + join(sides, " × ") + ")" : ""),
+  const std::string along = spec.camera_path ? " along " + counted(view_count(spec), "frame", "frames") : "";
+  return {counted(count, "cell", "cells") + (sides.size() > 1 ? " (" + join(sides, " × ") + ")" : "") + along,
           std::to_string(image.width) + " × " + std::to_string(image.height) + " px",
           spec.show.size() == 1 ? std::string(name_of(spec.show.front()))
                                 : counted(spec.show.size(), "buffer", "buffers"),

@@ -4,10 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "pipeline/passes/gbuffer/motion.h"
 #include "pipeline/pipeline.h"
@@ -27,19 +24,6 @@ Settings later(Settings settings) {
   settings.models[2].position.y += 0.2F;
   settings.models[2].rotation.z += 15.0F;
   return settings;
-}
-
-/// px to the right and down to where a point of the world is seen, and its distance along the view axis.
-glm::dvec3 seen_at(const Settings& settings, const glm::dvec3& world) {
-  const CameraParams& camera = settings.camera;
-  const glm::dvec3 eye(camera.eye);
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - eye);
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
-  const glm::dvec3 up = glm::cross(right, forward);
-  const double distance = glm::dot(world - eye, forward);
-  const double px = 0.5 * settings.image.height / std::tan(glm::radians(static_cast<double>(camera.fov)) / 2);
-  return {0.5 * settings.image.width + px * glm::dot(world - eye, right) / distance,
-          0.5 * settings.image.height - px * glm::dot(world - eye, up) / distance, distance};
 }
 
 glm::dmat4 place_of_model(Pipeline& pipeline, const Settings& settings, int id) {
@@ -68,7 +52,7 @@ Image expected_motion(Pipeline& pipeline, const Settings& here, const Settings& 
       if (id == 0) continue;
       const glm::dvec3 ray = reference::pixel_ray(here.camera, x, y, depth.width_px, depth.height_px);
       const glm::dvec3 world = glm::dvec3(here.camera.eye) + ray * (double{depth.at(x, y)} * here.camera.far);
-      const glm::dvec3 there = seen_at(other, glm::dvec3(moves[id] * glm::dvec4(world, 1.0)));
+      const glm::dvec3 there = reference::seen_at(other, glm::dvec3(moves[id] * glm::dvec4(world, 1.0)));
       expected.at(x, y, 0) = static_cast<float>(there.x - (x + 0.5));
       expected.at(x, y, 1) = static_cast<float>(there.y - (y + 0.5));
       expected.at(x, y, 2) = static_cast<float>(there.z);

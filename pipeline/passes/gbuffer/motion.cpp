@@ -14,8 +14,8 @@ namespace {
 
 constexpr BufferInfo kMotion{.name = "motion",
                              .help =
-                                 "Where each point stood in the frame before, in px to the right and "
-                                 "down; grey where nothing moved.",
+                                 "Where each point stood in the frame before, in px to the right and down; "
+                                 "grey where it did not move or there is none.",
                              .channels = 2,
                              .shown_as = ShownAs::offset};
 
@@ -73,6 +73,7 @@ struct MotionPlacesInput {
   static std::vector<PassInput> told() {
     return {{CameraParams::description().group},
             {ModelParams::description().group},
+            {ImageParams::description().group},
             {"", [] { return MeshesPass::kind().name; }, true}};
   }
 };
