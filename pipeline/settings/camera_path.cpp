@@ -52,6 +52,10 @@ CameraParams camera_at(const CameraPath& path, const CameraParams& camera, int f
 Settings settings_at(const CameraPath& path, const Settings& settings, int frame) {
   Settings turned = settings;
   turned.camera = camera_at(path, settings.camera, frame);
+  // So that what an image says of its settings can be read again.
+  for (const Field& field : CameraParams::description().fields)
+    check_value(field, "camera." + std::string(field.name), field.get(&turned.camera),
+                "frame " + std::to_string(frame) + " of the path");
   return turned;
 }
 

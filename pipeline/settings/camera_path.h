@@ -30,7 +30,7 @@ double degrees_at(const CameraPath& path, int frame);
 /// the camera itself, to the bit.
 CameraParams camera_at(const CameraPath& path, const CameraParams& camera, int frame);
 
-/// The settings with the camera of that frame.
+/// The settings with the camera of that frame. Errors (input): it is farther out than a camera may be.
 Settings settings_at(const CameraPath& path, const Settings& settings, int frame);
 
 /// The table [path] of a document; `name` stands for the document in errors. Errors (input), with file and

@@ -98,8 +98,8 @@ void check_cells(const StudySpec& spec) {
     stop_if_asked();
     const Cell cell = make_cell(spec, i / view_count(spec));
     const size_t view = i % view_count(spec);
-    const Settings settings = view_settings(spec, cell, view);
     try {
+      const Settings settings = view_settings(spec, cell, view);
       check_settings(settings);
       check_files(settings, seen);
     } catch (const Error& error) {

@@ -59,6 +59,16 @@ TEST(CameraPath, a_long_axis_or_up_turns_no_further) {
   for (int i = 0; i < 3; ++i) EXPECT_LE(turned.up[i], 1.0F) << "a settings file could not say it";
 }
 
+TEST(CameraPath, a_frame_whose_camera_no_file_could_say_is_an_error) {
+  Settings settings;
+  const auto farthest = static_cast<float>(CameraParams::description().fields.front().limits.high);
+  settings.camera.eye = {farthest, 0, farthest};
+  const CameraPath eighth{.frames = 8, .axis = {0, 1, 0}, .degrees = 360};
+  EXPECT_NO_THROW(settings_at(eighth, settings, 0));
+  const std::string error = error_of([&] { settings_at(eighth, settings, 1); });
+  EXPECT_EQ(error.rfind("frame 1 of the path: camera.eye", 0), 0U) << error;
+}
+
 TEST(CameraPath, a_table_may_leave_everything_out) {
   const CameraPath all = path_of("");
   EXPECT_EQ(all.frames, 180);
