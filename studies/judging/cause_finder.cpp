@@ -74,7 +74,8 @@ LineMap even_pixels(const Image& depth, const CameraParams& camera, int reach_px
       double farthest = 0;
       for (int dy = -reach_px; dy <= reach_px; ++dy) {
         for (int dx = -reach_px; dx <= reach_px; ++dx) {
-          const bool is_inside = x + dx >= 0 && y + dy >= 0 && x + dx < depth.width_px && y + dy < depth.height_px;
+          const bool is_inside =
+              x + dx >= 0 && y + dy >= 0 && x + dx < depth.width_px && y + dy < depth.height_px;
           if (!is_inside) continue;
           const double off = at(x + dx, y + dy) - here - dx * slope_x - dy * slope_y;
           farthest = std::max(farthest, std::abs(off) / unit / slant);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Causes of the false and missed lines of a frame: draws again with one thing changed at a time. In: a pipeline
-// that nobody needs the last drawing of, and settings. Out: causes by pixel.
+// Causes of the false and missed lines of a frame: draws again with one thing changed at a time. In: a
+// pipeline that nobody needs the last drawing of, and settings. Out: causes by pixel.
 #pragma once
 
 #include <functional>
@@ -37,8 +37,8 @@ class CauseFinder {
 /// All steps at once.
 CauseMaps find_causes(Pipeline& pipeline, const Settings& settings);
 
-/// H x W: whether the pixels within `reach_px` of a pixel lie within a pixel's size (in the world) of its plane,
-/// which is that of the flatter one of both differences each way. `depth`: share of far, H x W x 1.
+/// H x W: whether the pixels within `reach_px` of a pixel lie within a pixel's size (in the world) of its
+/// plane, which is that of the flatter one of both differences each way. `depth`: share of far, H x W x 1.
 LineMap even_pixels(const Image& depth, const CameraParams& camera, int reach_px);
 
 }  // namespace inkbench

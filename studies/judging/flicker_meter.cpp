@@ -28,7 +28,7 @@ Key FlickerMeter::seen_key(const Frame& frame) const {
 }
 
 FlickerMeter::Seen FlickerMeter::seen(const Frame& frame) const {
-  Seen seen{.key = seen_key(frame), .far = frame.settings().camera.far};
+  Seen seen{.key = seen_key(frame), .camera = frame.settings().camera};
   if (needs_.frames) seen.drawn = counted_lines(line_map_from(frame.raw(BufferName::lines)));
   if (needs_.reference_frames)
     seen.wanted = counted_lines(tier_map(*frame.value<ReferencePass>(), frame.settings().judge, 1));
@@ -45,7 +45,7 @@ FlickerTally FlickerMeter::tally(const Frame& before, const Frame& now) {
   Seen here = seen(now);
   const MotionMap ahead = looking_at(pipeline_, before, now).value<MotionPass>()->read(0, 4);
   const MotionMap back = looking_at(pipeline_, now, before).value<MotionPass>()->read(0, 4);
-  const LineCarrier carrier({last_->depth, last_->far}, ahead, {here.depth, here.far}, back,
+  const LineCarrier carrier({last_->depth, last_->camera}, ahead, {here.depth, here.camera}, back,
                             now.settings().judge.tolerance);
   FlickerTally tally;
   if (needs_.frames) tally.drawn = carrier.counts(last_->drawn, here.drawn);

@@ -31,7 +31,7 @@ class FlickerMeter {
     Key key;
     LineMap drawn, wanted;
     Image depth;
-    double far = 1.0;
+    CameraParams camera;
   };
   Key seen_key(const Frame& frame) const;
   Seen seen(const Frame& frame) const;

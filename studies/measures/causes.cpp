@@ -10,35 +10,77 @@ namespace inkbench {
 namespace {
 
 constexpr std::array<CauseInfo, kCauses> kTable{{
-    {Cause::doubled, "false_doubled", "doubled",
+    {Cause::doubled,
+     "false_doubled",
+     "doubled",
      "A second line beside one that is there already, or a line too thick to thin to one.",
-     "thin the lines on the nearer side: another method, or a lower sensitivity", {230, 159, 0}},
-    {Cause::quantised, "false_quantised", "quantised", "It is gone with float buffers.",
-     "image.precision = float", {204, 121, 167}},
-    {Cause::seam, "false_seam", "seam",
+     "thin the lines on the nearer side: another method, or a lower sensitivity",
+     {230, 159, 0}},
+    {Cause::quantised,
+     "false_quantised",
+     "quantised",
+     "It is gone with float buffers.",
+     "image.precision = float",
+     {204, 121, 167}},
+    {Cause::seam,
+     "false_seam",
+     "seam",
      "The normals jump on a smooth surface, where the file's vertices are split.",
-     "model.NAME.normals = smooth, or a method that reads the surface", {0, 114, 178}},
-    {Cause::facet, "false_facet", "facet", "It runs along mesh edges that bend less than a crease.",
-     "smooth normals, more triangles, or a larger angle", {86, 180, 233}},
-    {Cause::grazing, "false_grazing", "grazing",
-     "The depth term sees a surface's slope: the neighbours lie in the pixel's plane.",
-     "edges.method = dihedral, or a test against the plane", {213, 94, 0}},
-    {Cause::bend, "false_bend", "bend", "A smooth bend looks sharp at this size and is gone at twice the size.",
-     "a larger image, or a less sensitive limit", {0, 158, 115}},
-    {Cause::other_false, "false_other", "other", "None of these.", "`inkbench explain` says what the terms are",
-     {90, 90, 90}},
-    {Cause::displaced, "missed_displaced", "displaced", "A line lies near, farther off than the tolerance.",
-     "place lines on the nearer side: another method", {230, 159, 0}},
-    {Cause::same_id, "missed_same_id", "ids only",
-     "Two objects touch without a step or a bend, and the detector does not look at ids.",
-     "edges.method = dihedral or mitchell", {204, 121, 167}},
-    {Cause::no_signal, "missed_no_signal", "no signal", "The detector sees under 1 % of its limit there.",
-     "another method: no limit of this one draws it", {90, 90, 90}},
-    {Cause::under_the_limit, "missed_under_the_limit", "under the limit",
-     "The detector sees something, though less than its limit.", "a lower limit; `inkbench explain` says which",
+     "model.NAME.normals = smooth, or a method that reads the surface",
      {0, 114, 178}},
-    {Cause::other_missed, "missed_other", "other",
-     "Detected, yet not drawn there, or drawn and paired with another line.", "thinner or unbroken lines",
+    {Cause::facet,
+     "false_facet",
+     "facet",
+     "It runs along mesh edges that bend less than a crease.",
+     "smooth normals, more triangles, or a larger angle",
+     {86, 180, 233}},
+    {Cause::grazing,
+     "false_grazing",
+     "grazing",
+     "The depth term sees a surface's slope: the neighbours lie in the pixel's plane.",
+     "edges.method = dihedral, or a test against the plane",
+     {213, 94, 0}},
+    {Cause::bend,
+     "false_bend",
+     "bend",
+     "A smooth bend looks sharp at this size and is gone at twice the size.",
+     "a larger image, or a less sensitive limit",
+     {0, 158, 115}},
+    {Cause::other_false,
+     "false_other",
+     "other",
+     "None of these.",
+     "`inkbench explain` says what the terms are",
+     {90, 90, 90}},
+    {Cause::displaced,
+     "missed_displaced",
+     "displaced",
+     "A line lies near, farther off than the tolerance.",
+     "place lines on the nearer side: another method",
+     {230, 159, 0}},
+    {Cause::same_id,
+     "missed_same_id",
+     "ids only",
+     "Two objects touch without a step or a bend, and the detector does not look at ids.",
+     "edges.method = dihedral or mitchell",
+     {204, 121, 167}},
+    {Cause::no_signal,
+     "missed_no_signal",
+     "no signal",
+     "The detector sees under 1 % of its limit there.",
+     "another method: no limit of this one draws it",
+     {90, 90, 90}},
+    {Cause::under_the_limit,
+     "missed_under_the_limit",
+     "under the limit",
+     "The detector sees something, though less than its limit.",
+     "a lower limit; `inkbench explain` says which",
+     {0, 114, 178}},
+    {Cause::other_missed,
+     "missed_other",
+     "other",
+     "Detected, yet not drawn there, or drawn and paired with another line.",
+     "thinner or unbroken lines",
      {213, 94, 0}},
 }};
 
@@ -59,7 +101,9 @@ LineMap near(const LineMap& from, const LineMap& to, double distance_px) {
 /// The pixels of a map of half the size that have one of `large` among the four they become, or beside those.
 LineMap halved(const LineMap& large, int width_px, int height_px) {
   LineMap result(width_px, height_px);
-  for_each_pixel(large, [&](int x, int y) { result.set(std::min(x / 2, width_px - 1), std::min(y / 2, height_px - 1)); });
+  for_each_pixel(large, [&](int x, int y) {
+    result.set(std::min(x / 2, width_px - 1), std::min(y / 2, height_px - 1));
+  });
   return result;
 }
 
@@ -101,7 +145,8 @@ void find_false_causes(const CauseEvidence& evidence, CauseMap& causes) {
   };
   set_gone(Cause::quantised, evidence.float_buffers);
   set_gone(Cause::seam, evidence.smooth_normals);
-  if (evidence.slight_bends) setter.set(Cause::facet, near(setter.left(), *evidence.slight_bends, kSamePlacePx));
+  if (evidence.slight_bends)
+    setter.set(Cause::facet, near(setter.left(), *evidence.slight_bends, kSamePlacePx));
   if (evidence.no_depth_term && evidence.even) {
     LineMap grazing = gone(setter.left(), *evidence.no_depth_term);
     for_each_pixel(LineMap(grazing), [&](int x, int y) { grazing.set(x, y, evidence.even->at(x, y)); });
@@ -115,7 +160,8 @@ void find_false_causes(const CauseEvidence& evidence, CauseMap& causes) {
 }
 
 /// The pixels around which the strength is in [low, high), at its largest within the tolerance.
-LineMap with_strength(const LineMap& of, const Image& strength, double tolerance_px, double low, double high) {
+LineMap with_strength(const LineMap& of, const Image& strength, double tolerance_px, double low,
+                      double high) {
   const int reach = static_cast<int>(std::floor(tolerance_px));
   LineMap result(of.width_px(), of.height_px());
   for_each_pixel(of, [&](int x, int y) {

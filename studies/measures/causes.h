@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Why each false line is drawn and each missing one is not: one cause for every false and every missed pixel, by
-// what the same scene draws with one thing changed. In: maps of what is right and wrong, and those drawings.
-// Out: a cause for each pixel, and counts that add up to the falses and the misses. Definitions:
+// Why each false line is drawn and each missing one is not: one cause for every false and every missed pixel,
+// by what the same scene draws with one thing changed. In: maps of what is right and wrong, and those
+// drawings. Out: a cause for each pixel, and counts that add up to the falses and the misses. Definitions:
 // docs/measures.md.
 #pragma once
 
@@ -54,17 +54,17 @@ inline const CauseInfo& info_of(Cause cause) {
 /// there was not drawn since that cause does not apply.
 struct CauseEvidence {
   MatchMaps maps;
-  LineMap reference;                        ///< All reference lines, of both tiers.
-  LineMap drawn;                            ///< The drawn lines.
-  LineMap objects;                          ///< Reference lines where two objects meet.
-  std::optional<LineMap> float_buffers;     ///< Drawn with float buffers.
-  std::optional<LineMap> smooth_normals;    ///< Drawn with one normal a vertex.
-  std::optional<LineMap> slight_bends;      ///< Mesh edges that bend, though less than a crease.
-  std::optional<LineMap> no_depth_term;     ///< Drawn without the detector's depth term.
-  std::optional<LineMap> even;              ///< Pixels whose neighbours lie in their plane.
-  std::optional<LineMap> twice_as_large;    ///< Drawn at 2W x 2H.
-  std::optional<Image> strength;            ///< H x W x 1, 1 at the limit.
-  bool tells_objects = false;               ///< The detector knows ids.
+  LineMap reference;                      ///< All reference lines, of both tiers.
+  LineMap drawn;                          ///< The drawn lines.
+  LineMap objects;                        ///< Reference lines where two objects meet.
+  std::optional<LineMap> float_buffers;   ///< Drawn with float buffers.
+  std::optional<LineMap> smooth_normals;  ///< Drawn with one normal a vertex.
+  std::optional<LineMap> slight_bends;    ///< Mesh edges that bend, though less than a crease.
+  std::optional<LineMap> no_depth_term;   ///< Drawn without the detector's depth term.
+  std::optional<LineMap> even;            ///< Pixels whose neighbours lie in their plane.
+  std::optional<LineMap> twice_as_large;  ///< Drawn at 2W x 2H.
+  std::optional<Image> strength;          ///< H x W x 1, 1 at the limit.
+  bool tells_objects = false;             ///< The detector knows ids.
   double tolerance_px = kTolerancePx;
 };
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pipeline/lines/line_map.h"
+#include "pipeline/settings/camera.h"
 
 namespace inkbench {
 
@@ -30,7 +31,7 @@ struct FlickerTally {
 /// What is seen in a frame.
 struct SeenSurface {
   const Image& depth;  ///< H x W x 1, distance along the view axis / far; 1 where no model is.
-  double far = 1.0;    ///< World units.
+  CameraParams camera;  ///< That saw it.
 };
 
 /// H x W x 4 of `MotionPass`, to the other frame.

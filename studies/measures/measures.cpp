@@ -228,6 +228,45 @@ std::vector<Measure> path_rows() {
   };
 }
 
+/// Of lines that a method places.
+std::vector<Measure> placed_rows() {
+  return {
+      {.key = "antialiasing_error",
+       .help = "How far each pixel's ink near a line is, at the root of the mean square, from what the same "
+               "lines cover.",
+       .label = "antialiasing error",
+       .better = kLess,
+       .needs = Need::placed_lines,
+       .value = [](const Tally& t) { return t.antialiasing ? t.antialiasing->drawn_rms() : std::nullopt; }},
+      {.key = "aliased_error",
+       .help = "The same without antialiasing: what it saves.",
+       .label = "error without antialiasing",
+       .needs = Need::placed_lines,
+       .value = [](const Tally& t) { return t.antialiasing ? t.antialiasing->aliased_rms() : std::nullopt; }},
+  };
+}
+
+template <size_t index>
+Value cause_count(const Tally& tally) {
+  if (!tally.causes) return std::nullopt;
+  return static_cast<double>(tally.causes->pixels[index]);
+}
+
+template <size_t... index>
+void add_causes(std::vector<Measure>& table, std::index_sequence<index...>) {
+  const auto row = [&](const CauseInfo& info, Value (*value)(const Tally&)) {
+    const char* what = info.is_of_missed() ? "Missed pixels: " : "False pixels: ";
+    table.push_back({.key = std::string(info.key),
+                     .help = what + std::string(info.help),
+                     .label = (info.is_of_missed() ? "missed, " : "false, ") + std::string(info.name),
+                     .better = kLess,
+                     .kind = kCount,
+                     .needs = Need::causes,
+                     .value = value});
+  };
+  (row(cause_table()[index], cause_count<index>), ...);
+}
+
 std::vector<Measure> make_table() {
   std::vector<Measure> table{{.key = "faces",
                               .help = "Triangles of the main model as it is drawn.",
@@ -244,6 +283,8 @@ std::vector<Measure> make_table() {
   add_recalls(table, std::make_index_sequence<kLineClasses.size()>());
   add(ladder_rows());
   add(path_rows());
+  add(placed_rows());
+  add_causes(table, std::make_index_sequence<kCauses>());
   return table;
 }
 
@@ -292,7 +333,19 @@ void MeasureNeeds::add(const Measure& measure) {
     case Need::reference_frames:
       reference_frames = true;
       break;
+    case Need::placed_lines:
+      antialiasing = true;
+      break;
+    case Need::causes:
+      causes = true;
+      break;
   }
+}
+
+MeasureNeeds MeasureNeeds::of(std::span<const Measure* const> measures) {
+  MeasureNeeds needs;
+  for (const Measure* measure : measures) needs.add(*measure);
+  return needs;
 }
 
 MeasureNeeds MeasureNeeds::all() {

@@ -27,6 +27,8 @@ enum class Need {
   inner_lines,
   frames,            ///< The drawn lines along a camera path, and how points move.
   reference_frames,  ///< The reference lines along it.
+  placed_lines,      ///< Lines of a method that places them.
+  causes,            ///< The drawing made again with one thing changed at a time.
 };
 
 enum class Better { more, less, neither };
@@ -70,10 +72,13 @@ struct MeasureNeeds {
   std::array<bool, kLineClasses.size()> classes{};
   bool ladder = false, inner = false;
   bool frames = false, reference_frames = false;
+  bool antialiasing = false, causes = false;
 
   void add(const Measure& measure);
   /// Of all measures.
   static MeasureNeeds all();
+  /// Of these.
+  static MeasureNeeds of(std::span<const Measure* const> measures);
 
   bool reference_lines() const;
   bool full_mesh() const { return ladder || inner; }
@@ -95,7 +100,7 @@ std::vector<const Measure*> measures_of_maps(bool with_classes = false);
 std::vector<const Measure*> all_measures();
 
 /// Those that one picture is enough for.
-std::vector<const Measure*> measures_of_a_view();
+std::vector<const Measure*> measures_of_a_view(bool with_causes = false);
 
 /// What docs/measures.md shows: every measure with its unit, direction, needs and meaning.
 std::string measures_markdown();
