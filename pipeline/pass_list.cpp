@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "pipeline/passes/edges/combine.h"
+#include "pipeline/passes/edges/dihedral.h"
 #include "pipeline/passes/edges/found_edges.h"
 #include "pipeline/passes/edges/gradient.h"
 #include "pipeline/passes/edges/laplacian.h"
+#include "pipeline/passes/edges/pairs.h"
 #include "pipeline/passes/edges/paper_strength.h"
 #include "pipeline/passes/edges/published_look.h"
 #include "pipeline/passes/edges/range.h"
@@ -24,6 +26,7 @@
 #include "pipeline/passes/lines/reference.h"
 #include "pipeline/passes/placing/candidates.h"
 #include "pipeline/passes/placing/connect.h"
+#include "pipeline/passes/placing/dihedral_place.h"
 #include "pipeline/passes/placing/place.h"
 #include "pipeline/passes/placing/placed_lines.h"
 
@@ -35,9 +38,11 @@ std::vector<const PassKind*>& list() {
       &MeshesPass::kind(),        &GBufferPass::kind(), &QuantisePass::kind(),
       &VisibleRangePass::kind(),  // maps
       &GradientPass::kind(),      &RangePass::kind(),   &CombinePass::kind(),
-      &PaperStrengthPass::kind(),                       // paper
-      &LaplacianPass::kind(),     &FoundEdges::kind(),  // other detectors
-      &CandidatesPass::kind(),    &PlacePass::kind(),   &PlacedLines::kind(),
+      &PaperStrengthPass::kind(),  // paper
+      &LaplacianPass::kind(),     &PairsPass::kind(),   &DihedralPass::kind(),
+      &FoundEdges::kind(),  // other detectors
+      &CandidatesPass::kind(),    &PlacePass::kind(),   &DihedralPlacePass::kind(),
+      &PlacedLines::kind(),
       &ConnectPass::kind(),                                                     // placing
       &SeedsPass::kind(),         &FloodPass::kind(),   &CoveragePass::kind(),  // width
       &PublishedLookPass::kind(), &DrawnInk::kind(),    &LinesPass::kind(),     // ink
