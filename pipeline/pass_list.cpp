@@ -12,6 +12,7 @@
 #include "pipeline/passes/edges/paper_strength.h"
 #include "pipeline/passes/edges/published_look.h"
 #include "pipeline/passes/edges/range.h"
+#include "pipeline/passes/edges/shaded_pairs.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/passes/gbuffer/meshes.h"
 #include "pipeline/passes/gbuffer/quantise.h"
@@ -39,10 +40,9 @@ std::vector<const PassKind*>& list() {
       &VisibleRangePass::kind(),  // maps
       &GradientPass::kind(),      &RangePass::kind(),   &CombinePass::kind(),
       &PaperStrengthPass::kind(),  // paper
-      &LaplacianPass::kind(),     &PairsPass::kind(),   &DihedralPass::kind(),
+      &LaplacianPass::kind(),     &PairsPass::kind(),   &ShadedPairsPass::kind(),   &DihedralPass::kind(),
       &FoundEdges::kind(),  // other detectors
-      &CandidatesPass::kind(),    &PlacePass::kind(),   &DihedralPlacePass::kind(),
-      &PlacedLines::kind(),
+      &CandidatesPass::kind(),    &PlacePass::kind(),   &DihedralPlacePass::kind(), &PlacedLines::kind(),
       &ConnectPass::kind(),                                                     // placing
       &SeedsPass::kind(),         &FloodPass::kind(),   &CoveragePass::kind(),  // width
       &PublishedLookPass::kind(), &DrawnInk::kind(),    &LinesPass::kind(),     // ink

@@ -3,12 +3,8 @@
 // The pixels that own a line, and where in them it runs: a crease where its planes meet, a step half a pixel inside the
 // nearer surface.
 #include "generated/edges.glsl"
-#include "lib/lens.glsl"
-#include "lib/surface.glsl"
-#include "lib/pair.glsl"
 #include "lib/dihedral.glsl"
 
-uniform sampler2D surface_map;
 layout(location = 0) out vec4 placed;  // offset from the pixel's centre in pixels, class (0: no line), strength
 
 // So many pixels along a step each way decide where it runs.
@@ -19,25 +15,12 @@ bool is_line(Side side) { return side.strength >= edges.weak; }
 bool is_step(Side side) { return is_line(side) && side.line_class <= class_silhouette; }
 bool is_crease(Side side) { return is_line(side) && side.line_class > class_silhouette; }
 
-// Where the planes of the pixel and of its neighbour meet, in pixels from its centre.
-float crossing(ivec2 at, ivec2 towards) {
-  vec4 a = texelFetch(surface_map, at, 0), b = texelFetch(surface_map, at + towards, 0);
-  vec2 along = vec2(towards);
-  Misfit apart = misfit(a, b, dot(a.xy, along), dot(b.xy, along));
-  float sum = abs(apart.at_a) + abs(apart.at_b);
-  return sum > 0.0 ? min(abs(apart.at_a) / sum, most_offset) : most_offset;
-}
-
-// The creases to the right, left, above and below, as points on both axes: x and y of where they cross them, and whether.
-vec4 crease_crossings(ivec2 at, Sides sides) {
-  vec4 result = vec4(0.0);
-  int right = is_crease(sides.right) ? 1 : 0, left = is_crease(sides.left) ? 1 : 0;
-  int above = is_crease(sides.above) ? 1 : 0, below = is_crease(sides.below) ? 1 : 0;
-  for (int turn = 0; turn < right; ++turn) result.xz += vec2(crossing(at, ivec2(1, 0)), 1.0);
-  for (int turn = 0; turn < left; ++turn) result.xz += vec2(-crossing(at, ivec2(-1, 0)), 1.0);
-  for (int turn = 0; turn < above; ++turn) result.yw += vec2(crossing(at, ivec2(0, 1)), 1.0);
-  for (int turn = 0; turn < below; ++turn) result.yw += vec2(-crossing(at, ivec2(0, -1)), 1.0);
-  return vec4(result.xy / max(result.zw, 1.0), min(result.zw, 1.0));
+// Where the creases on the pixel's sides cross its axes, x and y, and whether any does.
+vec4 crease_crossings(Sides sides) {
+  vec4 is_there = vec4(is_crease(sides.right), is_crease(sides.above), is_crease(sides.left), is_crease(sides.below));
+  vec4 away = min(vec4(sides.right.meets, sides.above.meets, sides.left.meets, sides.below.meets), most_offset) * is_there;
+  vec2 count = is_there.xy + is_there.zw;
+  return vec4((away.xy - away.zw) / max(count, 1.0), min(count, 1.0));
 }
 
 // The foot of the perpendicular from the pixel's centre to the line through both points, or the one point there is.
@@ -57,36 +40,39 @@ bool has_step(ivec2 at, ivec2 across) {
   return is_step(side_of(bend_and_gap.x, bend_and_gap.y, first == at ? 1.0 : -1.0, edges.weak));
 }
 
-// How far `across` the step goes on one pixel further along, from `height`: none where it ends.
-const float ends = 100.0;
-float next_height(ivec2 at, ivec2 across, float height) {
-  for (int i = 0; i < 3; ++i) {
-    float tried = height + float(i == 0 ? 0 : 3 - 2 * i);
-    if (has_step(at + int(tried) * across, across)) return tried;
+// The height of the step in the pixels from two before it to two after it, or as few on both sides as it has: the mean.
+// `across` is the step's direction; `pixels` is 4, or 0 for no work.
+float smooth_height(ivec2 at, ivec2 across, int pixels) {
+  vec4 heights = vec4(0.0);  // 1 and 2 before, 1 and 2 after
+  vec4 has = vec4(0.0);
+  float height = 0.0, goes_on = 1.0;
+  for (int i = 0; i < pixels; ++i) {
+    ivec2 along = (i < 2 ? -1 - i : i - 1) * ivec2(abs(across.y), abs(across.x));
+    if (i == 2) height = 0.0, goes_on = 1.0;
+    float tried = height, found = 0.0;
+    int tries = goes_on > 0.5 ? 3 : 0;
+    for (int k = 0; k < tries; ++k) {  // as high, one higher, one lower
+      if (has_step(at + along + int(tried) * across, across)) {
+        height = tried;
+        found = 1.0;
+        break;
+      }
+      tried = k == 0 ? height + 1.0 : height - 1.0;
+    }
+    goes_on = found;
+    heights = vec4(heights.yzw, height);
+    has = vec4(has.yzw, found);
   }
-  return ends;
+  vec2 both = has.xy * has.zw;  // 1 and 2 pixels away
+  return clamp(dot(heights.xy + heights.zw, both) / (1.0 + 2.0 * (both.x + both.y)), -most_offset, most_offset);
 }
 
-// The mean height of the step over as many pixels on both sides as it has, `across` its direction.
-float smooth_height(ivec2 at, ivec2 across) {
-  ivec2 along = ivec2(abs(across.y), abs(across.x));
-  float sum = 0.0, count = 1.0, before = 0.0, after = 0.0;
-  for (int i = 1; i <= smooth_reach; ++i) {
-    before = next_height(at - i * along, across, before);
-    after = next_height(at + i * along, across, after);
-    if (before == ends || after == ends) break;
-    sum += before + after;
-    count += 2.0;
-  }
-  return clamp(sum / count, -most_offset, most_offset);
-}
-
-vec2 step_offset(ivec2 at, Sides sides) {
-  bool right = is_step(sides.right), left = is_step(sides.left), above = is_step(sides.above), below = is_step(sides.below);
-  if ((right || left) && (above || below)) return vec2(0.0);
-  if (right != left) return vec2(smooth_height(at, ivec2(right ? 1 : -1, 0)) * (right ? 1.0 : -1.0), 0.0);
-  if (above != below) return vec2(0.0, smooth_height(at, ivec2(0, above ? 1 : -1)) * (above ? 1.0 : -1.0));
-  return vec2(0.0);
+// 1 or -1 along the one axis on which the pixel has a step on one side; where it has them on both axes it is a corner or
+// the line is a diagonal, which runs through the pixels' middles.
+ivec2 step_direction(Sides sides) {
+  ivec2 direction = ivec2(int(is_step(sides.right)) - int(is_step(sides.left)), int(is_step(sides.above)) - int(is_step(sides.below)));
+  bool has_both = (is_step(sides.right) || is_step(sides.left)) && (is_step(sides.above) || is_step(sides.below));
+  return has_both ? ivec2(0) : direction;
 }
 
 void main() {
@@ -95,8 +81,9 @@ void main() {
   float line_class = class_of(sides, edges.weak), strength = strongest(sides);
   bool has_steps = line_class > class_none && line_class <= class_silhouette, has_creases = line_class > class_silhouette;
   vec2 offset = vec2(0.0);
-  int steps = has_steps ? 1 : 0, creases = has_creases ? 1 : 0;  // loops without turns cost nothing
-  for (int turn = 0; turn < steps; ++turn) offset = step_offset(at, sides);
-  for (int turn = 0; turn < creases; ++turn) offset = foot_of(crease_crossings(at, sides));
+  // A loop that no lane enters runs once on the software renderer, so its body is small.
+  ivec2 across = has_steps ? step_direction(sides) : ivec2(0);
+  offset = vec2(across) * smooth_height(at, across, across != ivec2(0) ? 4 : 0);
+  offset = has_creases ? foot_of(crease_crossings(sides)) : offset;
   placed = line_class > class_none ? vec4(offset, line_class, strength) : vec4(0.0);
 }

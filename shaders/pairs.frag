@@ -7,14 +7,7 @@
 #include "lib/pair.glsl"
 
 uniform sampler2D surface_map;
-uniform sampler2D normal_and_depth_map;
-layout(std140) uniform pairs_block {
-  int reads_shading;
-  int reads_surface;
-} wanted;
-layout(location = 0) out vec4 pairs;  // angles to the right and above in degrees, gaps in pixels; below 0: the other's
-
-vec3 shading_normal(ivec2 at) { return normalize(2.0 * texelFetch(normal_and_depth_map, at, 0).xyz - 1.0); }
+layout(location = 0) out vec4 pairs;  // lib/pair_map.glsl
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
@@ -24,11 +17,8 @@ void main() {
   Plane here = plane_at(texelFetch(surface_map, at, 0), from_middle);
   Plane beside = plane_at(texelFetch(surface_map, right, 0), from_middle + vec2(right - at));
   Plane over = plane_at(texelFetch(surface_map, above, 0), from_middle + vec2(above - at));
-  vec2 bends = wanted.reads_surface * vec2(degrees_between(here.normal, beside.normal), degrees_between(here.normal, over.normal));
-  for (int turn = 0; turn < wanted.reads_shading; ++turn) {
-    vec3 own = shading_normal(at);
-    bends = max(bends, vec2(degrees_between(own, shading_normal(right)), degrees_between(own, shading_normal(above))));
-  }
+  vec2 chords = vec2(square_of_chord(here.normal, beside.normal), square_of_chord(here.normal, over.normal));
+  vec2 bends = degrees_of_chord(chords);
   Misfit to_right = misfit(here.surface, beside.surface, here.surface.x, beside.surface.x);
   Misfit to_above = misfit(here.surface, over.surface, here.surface.y, over.surface.y);
   vec2 x = pair_of(here, beside, to_right, bends.x), y = pair_of(here, over, to_above, bends.y);

@@ -2,23 +2,29 @@
 // Pairs of neighbours against the limits: which of a pixel's four sides are lines of its own.
 #include "generated/dihedral.glsl"
 
-uniform sampler2D pair_map;  // angles to the right and above, gaps to the right and above; below 0: the other pixel's
+#include "lib/pair_map.glsl"
 
-const float least_object_gap = 55000.0;
+uniform sampler2D pair_map;
+
 const float class_none = 0.0, class_object = 1.0, class_silhouette = 2.0, class_crease = 3.0, class_normal = 4.0;
 
 struct Side {
   float strength;    // 1 = at the limit; 0 where the line would be the neighbour's
   float line_class;  // of what is seen, whatever its strength
+  float meets;       // of a crease: pixels from the centre to where the planes meet
 };
 
 // `sign` is 1 where the pair is the pixel's own, to the right and above, and -1 for the neighbours' to the left and below.
 Side side_of(float angle, float gap, float sign, float weak) {
-  float step_strength = abs(gap) / dihedral.gap;
+  float apart = abs(gap);
+  float step_strength = apart > meeting_gap ? apart / dihedral.gap : 0.0;
   bool is_step = step_strength >= weak;
-  float strength = max(abs(angle) / dihedral.angle, step_strength);
   bool is_own = (is_step ? gap : angle) * sign > 0.0;
-  return Side(is_own ? strength : 0.0, abs(gap) > least_object_gap ? class_object : is_step ? class_silhouette : class_crease);
+  float strength = is_own ? max(abs(angle) / dihedral.angle, step_strength) : 0.0;
+  float bend_class = dihedral.normals == dihedral_normals_shading ? class_normal : class_crease;
+  float line_class = apart > largest_gap ? class_object : is_step ? class_silhouette : bend_class;
+  float share = min(apart / meeting_gap, 1.0);
+  return Side(strength, line_class, sign > 0.0 ? share : 1.0 - share);
 }
 
 struct Sides {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Two neighbouring pixels' planes against each other (docs/pipeline.md, dihedral). Needs lib/lens.glsl and
 // lib/surface.glsl.
+#include "lib/pair_map.glsl"
+#include "lib/chord.glsl"
 
-const float object_gap = 60000.0;   // between objects
-const float largest_gap = 50000.0;  // of any other pair
 // A depth as the G-buffer holds it is off by no more than this share of it.
 const float depth_error = 1e-6;
 
@@ -19,9 +19,6 @@ Plane plane_at(vec4 surface, vec2 from_middle) {
   float scale = inversesqrt(dot(normal, normal));
   return Plane(surface, normal * scale, scale * inversesqrt(dot(ray, ray) + 1.0));
 }
-
-// By the chord: the arc cosine of a product near 1 has no digits left.
-float degrees_between(vec3 a, vec3 b) { return degrees(2.0 * asin(min(0.5 * length(a - b), 1.0))); }
 
 // Of a's plane over b's, along the view in pixels' sizes.
 struct Misfit {
@@ -41,14 +38,18 @@ float misfit_error(float distance) {
   return depth_error * (lens.is_orthographic != 0 ? distance : 1.0) / lens.pixel_size;
 }
 
-// Angle and gap of the pair, below 0 where the line is b's: a step's is the nearer surface's; a crease's lies where the
-// planes meet.
+// Angle and gap of the pair, below 0 where the line is b's: a step's is the nearer surface's, a crease's
+// lies where the planes meet.
 vec2 pair_of(Plane a, Plane b, Misfit apart, float bend) {
   if (a.surface.w == 0.0 && b.surface.w == 0.0) return vec2(0.0);
   bool a_is_nearer = b.surface.w == 0.0 || (a.surface.w != 0.0 && a.surface.z <= b.surface.z);
   if (a.surface.w != b.surface.w) return vec2(0.0, a_is_nearer ? object_gap : -object_gap);
   float at_a = abs(apart.at_a), at_b = abs(apart.at_b);
-  float off = apart.at_a * apart.at_b <= 0.0 ? 0.0 : min(at_b * a.facing, at_a * b.facing);
-  float gap = clamp(off - misfit_error(a.surface.z), 0.0, largest_gap);
-  return vec2(at_a <= at_b ? bend : -bend, a_is_nearer ? gap : -gap);
+  bool they_meet = apart.at_a * apart.at_b <= 0.0;
+  float gap = min(at_b * a.facing, at_a * b.facing) - misfit_error(a.surface.z);
+  if (they_meet || !(gap > meeting_gap)) {
+    float share = at_a / max(at_a + at_b, 1e-30);
+    gap = meeting_gap * clamp(share, 0.0, 1.0);
+  }
+  return vec2(at_a <= at_b ? bend : -bend, (a_is_nearer ? 1.0 : -1.0) * min(gap, largest_gap));
 }

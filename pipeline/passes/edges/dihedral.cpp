@@ -3,14 +3,14 @@
 
 #include "pipeline/flow/describe_pass.h"
 #include "pipeline/passes/edges/detection_pass.h"
-#include "pipeline/passes/edges/pairs.h"
+#include "pipeline/passes/edges/shaded_pairs.h"
 
 namespace inkbench {
 
 const PassKind& DihedralPass::kind() {
   static const PassKind kKind =
       describe_pass<DihedralPass>("dihedral", 3, {}, group<&Settings::dihedral>(),
-                                  part<&Settings::edges, &EdgesParams::weak>(), value_of<PairsPass>());
+                                  part<&Settings::edges, &EdgesParams::weak>(), value_of<ShadedPairsPass>());
   return kKind;
 }
 

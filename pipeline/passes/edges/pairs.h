@@ -10,18 +10,13 @@
 
 namespace inkbench {
 
-/// The gap between two objects, or an object and the background; no other one is as large.
-inline constexpr float kObjectGap = 60000.0F, kLargestGap = 50000.0F;
-
 class PairsPass {
  public:
   using Value = Texture;
   static const PassKind& kind();
   explicit PairsPass(const GeneratedSources& generated);
-  /// Out: rgba16f. Red and green: the angle to the pixel on the right and to the one above, in degrees; blue
-  /// and alpha: the gap, in pixels' sizes. Below 0 where the line that it may be is the other pixel's.
-  Texture run(BendNormals normals, const LensBlock& lens, const Texture& normal_and_depth,
-              const GBuffer& gbuffer) const;
+  /// Out: rgba16f as shaders/lib/pair_map.glsl says.
+  Texture run(const LensBlock& lens, const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

@@ -5,8 +5,7 @@
 
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
-#include "pipeline/passes/gbuffer/gbuffer.h"
-#include "pipeline/passes/gbuffer/lens_block.h"
+#include "pipeline/gl/texture.h"
 
 namespace inkbench {
 
@@ -17,8 +16,7 @@ class DihedralPlacePass {
   explicit DihedralPlacePass(const GeneratedSources& generated);
   /// In: pairs (edges/pairs.h). Out: placed lines (placed_lines.h). A crease lies where its planes meet; a
   /// step half a pixel inside the nearer surface, smoothed over five pixels along it.
-  Texture run(const DihedralParams& params, float weak, const LensBlock& lens, const Texture& pairs,
-              const GBuffer& gbuffer) const;
+  Texture run(const DihedralParams& params, float weak, const Texture& pairs) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 
