@@ -22,6 +22,8 @@
 #include "pipeline/passes/ink/drawn_lines.h"
 #include "pipeline/passes/ink/flood.h"
 #include "pipeline/passes/ink/ink.h"
+#include "pipeline/passes/ink/line_tiles.h"
+#include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/ink/seeds.h"
 #include "pipeline/passes/light/shade.h"
 #include "pipeline/passes/lines/reference.h"
@@ -36,18 +38,27 @@ namespace {
 
 std::vector<const PassKind*>& list() {
   static std::vector<const PassKind*> passes{
-      &MeshesPass::kind(),        &GBufferPass::kind(), &QuantisePass::kind(),
+      &MeshesPass::kind(),         &GBufferPass::kind(),
+      &QuantisePass::kind(),
       &VisibleRangePass::kind(),  // maps
-      &GradientPass::kind(),      &RangePass::kind(),   &CombinePass::kind(),
+      &GradientPass::kind(),       &RangePass::kind(),
+      &CombinePass::kind(),
       &PaperStrengthPass::kind(),  // paper
-      &LaplacianPass::kind(),     &PairsPass::kind(),   &ShadedPairsPass::kind(),   &DihedralPass::kind(),
+      &LaplacianPass::kind(),      &PairsPass::kind(),
+      &ShadedPairsPass::kind(),    &DihedralPass::kind(),
       &FoundEdges::kind(),  // other detectors
-      &CandidatesPass::kind(),    &PlacePass::kind(),   &DihedralPlacePass::kind(), &PlacedLines::kind(),
-      &ConnectPass::kind(),                                                     // placing
-      &SeedsPass::kind(),         &FloodPass::kind(),   &CoveragePass::kind(),  // width
-      &PublishedLookPass::kind(), &DrawnInk::kind(),    &LinesPass::kind(),     // ink
-      &ShadePass::kind(),         &InkPass::kind(),     &BlinnPhong::kind(),    // light, and ink over it
-      &ReferencePass::kind(),                                                   // beside the chain
+      &CandidatesPass::kind(),     &PlacePass::kind(),
+      &DihedralPlacePass::kind(),  &PlacedLines::kind(),
+      &ConnectPass::kind(),  // placing
+      &SeedsPass::kind(),          &FloodPass::kind(),
+      &CoveragePass::kind(),       &LineTilesPass::kind(),
+      &NarrowCoveragePass::kind(), &LineCoverage::kind(),
+      &AliasedCoverage::kind(),    &SampledCoverage::kind(),  // width
+      &PublishedLookPass::kind(),  &DrawnInk::kind(),
+      &LinesPass::kind(),  // ink
+      &ShadePass::kind(),          &InkPass::kind(),
+      &BlinnPhong::kind(),     // light, and ink over it
+      &ReferencePass::kind(),  // beside the chain
   };
   return passes;
 }

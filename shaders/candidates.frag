@@ -17,8 +17,7 @@ float depth_at(ivec2 at) { return texelFetch(normal_and_depth_map, clamped(at), 
 bool is_step_up(float before_far, float far_side, float near_side, float behind_near) {
   if (is_background(near_side) || near_side >= far_side) return false;
   if (is_background(far_side)) return true;
-  float a = affine_depth(before_far), b = affine_depth(far_side), c = affine_depth(near_side), d = affine_depth(behind_near);
-  return min(in_pixel_sizes(a - 2.0 * b + c, b), in_pixel_sizes(b - 2.0 * c + d, c)) > 1.0;
+  return step_between(affine_depth(before_far), affine_depth(far_side), affine_depth(near_side), affine_depth(behind_near)) > 1.0;
 }
 
 void main() {

@@ -1,36 +1,13 @@
 #version 450 core
 // SPDX-License-Identifier: MIT
-// How much of each pixel its nearest line covers. A line is the pieces between the points of linked pixels.
-#include "generated/line.glsl"
+// How much of each pixel its nearest line covers, where a flood has found which line that is.
 #include "lib/lens.glsl"
 
-uniform sampler2D seed_map;  // the nearest line's point, half its width, class
+uniform sampler2D seed_map;
 uniform sampler2D normal_and_depth_map;
-layout(location = 0) out vec2 ink;  // coverage, class
+layout(location = 0) out vec2 ink;  // coverage, class / 255
 
-// The share of a pixel on the near side of a straight edge `to_edge` pixels from its centre; `slope` is the absolute
-// direction to the edge, a unit vector. Exact.
-float share_before(float to_edge, vec2 slope) {
-  float a = max(slope.x, slope.y), b = max(min(slope.x, slope.y), 1e-4);
-  float flat_end = 0.5 * (a - b), end = 0.5 * (a + b), t = abs(to_edge);
-  float beyond = t >= end ? 0.0 : t <= flat_end ? 0.5 - t / a : (end - t) * (end - t) / (2.0 * a * b);
-  return to_edge > 0.0 ? 1.0 - beyond : beyond;
-}
-
-float coverage_at(float away, vec2 direction, float half_width) {
-  if (line.antialias == 0) return away <= half_width ? 1.0 : 0.0;
-  return share_before(half_width - away, direction) - share_before(-half_width - away, direction);
-}
-
-// Of the piece from `a` to `b`, which become `half_a` and `half_b` wide.
-float piece_coverage(vec2 here, vec2 a, vec2 b, float half_a, float half_b) {
-  vec2 along = b - a;
-  float t = clamp(dot(here - a, along) / max(dot(along, along), 1e-12), 0.0, 1.0);
-  vec2 off = here - (a + t * along);
-  float away = length(off);
-  vec2 direction = away > 1e-4 ? abs(off) / away : abs(normalize(vec2(-along.y, along.x) + vec2(1e-12, 0.0)));
-  return coverage_at(away, direction, mix(half_a, half_b, t));
-}
+#include "lib/pieces.glsl"
 
 vec4 seed_at(ivec2 at) {
   bool is_inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, textureSize(seed_map, 0)));
@@ -38,45 +15,15 @@ vec4 seed_at(ivec2 at) {
   return is_inside && seed.a > 0.5 && ivec2(floor(seed.xy)) == at ? seed : vec4(0.0);
 }
 
-float depth_at(ivec2 at) {
-  return texelFetch(normal_and_depth_map, clamp(at, ivec2(0), textureSize(normal_and_depth_map, 0) - 1), 0).a;
-}
-
-// Does the pixel show a surface in front of the line's? One that goes on from the line's own comes nearer no more than
-// three times as fast as it does here.
-bool is_in_front(ivec2 at, ivec2 of_line) {
-  float own = depth_at(at), lines = depth_at(of_line);
-  if (is_background(own) || own >= lines) return false;
-  float here = affine_depth(own);
-  vec2 before = vec2(affine_depth(depth_at(at - ivec2(1, 0))), affine_depth(depth_at(at - ivec2(0, 1))));
-  vec2 after = vec2(affine_depth(depth_at(at + ivec2(1, 0))), affine_depth(depth_at(at + ivec2(0, 1))));
-  vec2 slope = min(abs(before - here), abs(after - here));
-  float explained = dot(slope, abs(vec2(at - of_line)));
-  return in_pixel_sizes(max(abs(here - affine_depth(lines)) - 3.0 * explained, 0.0), here) > 2.0;
-}
-
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  vec2 here = gl_FragCoord.xy;
   vec4 nearest = texelFetch(seed_map, at, 0);
-  bool is_close = nearest.a > 0.5 && distance(nearest.xy, here) < nearest.z + 2.5;
-  ivec2 of_line = ivec2(floor(nearest.xy));
-  int turns = is_close ? 1 : 0;
-  float covered = 0.0;
+  bool is_close = nearest.a > 0.5 && distance(nearest.xy, gl_FragCoord.xy) < nearest.z + 2.5;
+  int turns = is_close ? 1 : 0;  // a loop without turns costs nothing
+  ink = vec2(0.0);
   for (int turn = 0; turn < turns; ++turn) {
     vec4 around[9];
-    for (int i = 0; i < 9; ++i) around[i] = seed_at(of_line + ivec2(i % 3, i / 3) - 1);
-    bool alone = true;
-    for (int i = 0; i < 9; ++i) {
-      ivec2 d = ivec2(i % 3, i / 3) - 1;
-      bool beside_both = around[4 + d.x].a > 0.5 || around[4 + 3 * d.y].a > 0.5;
-      bool linked = i != 4 && around[i].a > 0.5 && (d.x * d.y == 0 || !beside_both);
-      if (!linked) continue;
-      alone = false;
-      covered = max(covered, piece_coverage(here, nearest.xy, around[i].xy, nearest.z, around[i].z));
-    }
-    if (alone) covered = piece_coverage(here, nearest.xy, nearest.xy, nearest.z, nearest.z);
-    if (covered > 0.0 && is_in_front(at, of_line)) covered = 0.0;
+    for (int i = 0; i < 9; ++i) around[i] = seed_at(ivec2(floor(nearest.xy)) + ivec2(i % 3, i / 3) - 1);
+    ink = ink_of(at, gl_FragCoord.xy, nearest, around);
   }
-  ink = vec2(covered, covered > 0.0 ? nearest.a : 0.0);
 }

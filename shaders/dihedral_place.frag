@@ -4,8 +4,9 @@
 // nearer surface.
 #include "generated/edges.glsl"
 #include "lib/dihedral.glsl"
+#include "lib/placed.glsl"
 
-layout(location = 0) out vec4 placed;  // offset from the pixel's centre in pixels, class (0: no line), strength
+layout(location = 0) out vec4 placed;  // lib/placed.glsl
 
 // So many pixels along a step each way decide where it runs.
 const int smooth_reach = 2;
@@ -85,5 +86,5 @@ void main() {
   ivec2 across = has_steps ? step_direction(sides) : ivec2(0);
   offset = vec2(across) * smooth_height(at, across, across != ivec2(0) ? 4 : 0);
   offset = has_creases ? foot_of(crease_crossings(sides)) : offset;
-  placed = line_class > class_none ? vec4(offset, line_class, strength) : vec4(0.0);
+  placed = packed_line(Placed(offset, line_class, strength));
 }

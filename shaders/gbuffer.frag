@@ -6,6 +6,7 @@
 #include "lib/surface.glsl"
 
 in vec3 normal_world;
+in float distance_in_view;
 layout(std140) uniform surface_block {
   mat4 normal_to_view;  // upper 3 x 3: from the mesh's space
   vec2 middle_px;       // of the image
@@ -18,8 +19,8 @@ layout(location = 2) out vec4 surface;  // lib/surface.glsl
 
 void main() {
   // gl_FragCoord.w is 1 / (distance along the view axis): the paper's linearisation of gl_FragCoord.z gives the same
-  // number after losing most of its digits near 1.
-  float depth = 1.0 / (gl_FragCoord.w * draw.far);
+  // number after losing most of its digits near 1. In orthographic views gl_FragCoord.w is 1.
+  float depth = draw.orthographic == 1.0 ? distance_in_view / draw.far : 1.0 / (gl_FragCoord.w * draw.far);
   float side = gl_FrontFacing || draw.two_sided == 0.0 ? 1.0 : -1.0;
   normal_and_depth = vec4(0.5 * side * normalize(normal_world) + 0.5, depth);
   object_id = draw.object_id;

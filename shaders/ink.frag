@@ -19,7 +19,7 @@ void main() {
   vec4 shaded = texelFetch(shaded_map, at, 0);
   bool is_papers = look.is_papers != 0;
   float coverage = ink_coverage(drawn, is_papers);
-  int place = clamp(int(drawn.g + 0.5) - 1, 0, 5);
+  int place = clamp(int(drawn.g * 255.0 + 0.5) - 1, 0, 5);
   float hides = is_papers ? coverage : coverage * look.of_class[place].a;
   vec3 line_colour = is_papers || look.has_colours == 0 ? ink.colour : look.of_class[place].rgb;
   colour = hides >= 1.0 ? vec4(line_colour, 1.0) : hides <= 0.0 ? shaded : mix(shaded, vec4(line_colour, 1.0), hides);

@@ -1,11 +1,12 @@
 #version 450 core
 // SPDX-License-Identifier: MIT
 // Thinned candidates as placed lines: the offset is to the middle of the strengths of the candidates around.
+#include "lib/placed.glsl"
 
 uniform sampler2D detection_map;  // strength, class
 uniform sampler2D candidate_map;
 uniform sampler2D thinned_map;
-layout(location = 0) out vec4 placed;  // offset from the pixel's centre in pixels, class (0: no line), strength
+layout(location = 0) out vec4 placed;  // lib/placed.glsl
 
 // What is far above the limit counts no more than this: a step's strength has no upper end.
 const float most_weight = 4.0;
@@ -25,5 +26,5 @@ void main() {
   }
   vec2 detected = texelFetch(detection_map, at, 0).rg;
   vec2 offset = clamp(sum / max(weights, 1e-6), -0.499, 0.499);
-  placed = is_line ? vec4(offset, detected.g, detected.r) : vec4(0.0);
+  placed = packed_line(Placed(offset, is_line ? detected.g : 0.0, detected.r));
 }

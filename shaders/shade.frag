@@ -9,8 +9,10 @@ uniform sampler2D object_id_map;         // 0 where no model is
 uniform sampler2D ramp_table;            // row 0: diffuse, row 1: specular
 
 layout(std140) uniform view_block {
-  vec3 eye;         // world space
+  vec3 eye;         // world space; in orthographic views at the image's lower left corner
   float far;        // world units
+  vec3 eye_right;   // added from the left side to the right one: zero in perspective views
+  vec3 eye_up;      // added from the bottom to the top
   vec3 ray_corner;  // from the eye through the image's lower left corner, one unit along the view axis
   vec3 ray_right;   // added from the left side to the right one
   vec3 ray_up;      // added from the bottom to the top
@@ -50,7 +52,8 @@ void main() {
   vec4 normal_and_depth = texelFetch(normal_and_depth_map, at, 0);
   vec2 place = gl_FragCoord.xy / vec2(textureSize(object_id_map, 0));
   vec3 ray = view.ray_corner + place.x * view.ray_right + place.y * view.ray_up;
-  vec3 position = view.eye + ray * (normal_and_depth.a * view.far);
+  vec3 eye = view.eye + place.x * view.eye_right + place.y * view.eye_up;
+  vec3 position = eye + ray * (normal_and_depth.a * view.far);
   vec3 to_eye = -normalize(ray);
   vec3 normal = normalize(2.0 * normal_and_depth.xyz - 1.0);
 

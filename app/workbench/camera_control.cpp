@@ -94,11 +94,23 @@ ViewAxes view_axes(const CameraParams& camera) {
 
 /// World units for each px in the plane through the target.
 double units_per_px(const CameraParams& camera, double distance, const ViewSize& size) {
-  return 2 * distance * std::tan(glm::radians(double{camera.fov}) / 2) / std::max(size.height_px, 1.0F);
+  return seen_height(camera, distance) / std::max(size.height_px, 1.0F);
+}
+
+/// Of an orthographic view: scales what is seen about a point in the plane through the target.
+CameraParams zoomed_about(const CameraParams& camera, const glm::dvec3& point, double steps) {
+  const double factor = std::pow(kDollyStep, steps);
+  const glm::dvec3 shift = (point - glm::dvec3(camera.target)) * (1.0 - factor);
+  CameraParams moved = camera;
+  moved.view_height = static_cast<float>(camera.view_height * factor);
+  moved.eye = glm::vec3(glm::dvec3(camera.eye) + shift);
+  moved.target = glm::vec3(glm::dvec3(camera.target) + shift);
+  return accepted_or(moved, camera);
 }
 
 /// Scales eye and target about a point in the plane through the target, which keeps it under the same pixel.
 CameraParams scaled_about(const CameraParams& camera, const glm::dvec3& point, double steps) {
+  if (is_orthographic(camera)) return zoomed_about(camera, point, steps);
   const double distance = glm::length(offset_of(camera));
   // A camera that is outside the range already may stay there but not go further.
   const double low = std::min(2.0 * camera.near, distance);
@@ -208,21 +220,42 @@ CameraParams look_around(const CameraParams& camera, double yaw_deg, double pitc
   return accepted_or(moved, camera);
 }
 
+CameraParams with_projection(const CameraParams& camera, CameraProjection projection) {
+  if (projection == camera.projection) return camera;
+  const ViewAxes axes = view_axes(camera);
+  CameraParams moved = camera;
+  moved.projection = projection;
+  if (is_orthographic(moved)) {
+    moved.view_height = static_cast<float>(seen_height(camera, axes.distance));
+    return accepted_or(moved, camera);
+  }
+  const double distance = camera.view_height / seen_height(moved, 1.0);
+  moved.eye = glm::vec3(glm::dvec3(camera.target) + axes.back * distance);
+  if (distance > 0.95 * camera.far) moved.far = rounded_up(distance / 0.95);
+  if (distance < 2.0 * camera.near) moved.near = rounded_down(distance / 2.0);
+  return accepted_or(moved, camera);
+}
+
 CameraParams fit_to_bounds(const CameraParams& camera, const Bounds& bounds, const ViewSize& size) {
   const bool is_empty = bounds.low == bounds.high;
   const Bounds box = is_empty ? Bounds{bounds.low - 0.5F, bounds.high + 0.5F} : bounds;
   const glm::dvec3 middle = (glm::dvec3(box.low) + glm::dvec3(box.high)) / 2.0;
-  const double slope_up = std::tan(glm::radians(double{camera.fov}) / 2) / kFitMargin;
-  const double slope_across = slope_up * size.width_px / std::max(size.height_px, 1.0F);
+  const double aspect = size.width_px / std::max(size.height_px, 1.0F);
   const ViewAxes axes = view_axes(camera);
-  double distance = 0;
+  const bool orthographic = is_orthographic(camera);
+  double distance = orthographic ? glm::length(glm::dvec3(box.high) - glm::dvec3(box.low)) : 0.0;
+  double height = 0;
   for (const glm::dvec3& corner : corners_of(box)) {
     const glm::dvec3 arm = corner - middle;
-    const double needed = std::max(std::abs(glm::dot(arm, axes.right)) / slope_across,
-                                   std::abs(glm::dot(arm, axes.up)) / slope_up);
-    distance = std::max(distance, glm::dot(arm, axes.back) + needed);
+    const double needed =
+        2.0 * kFitMargin *
+        std::max(std::abs(glm::dot(arm, axes.right)) / aspect, std::abs(glm::dot(arm, axes.up)));
+    height = std::max(height, needed);
+    if (!orthographic)
+      distance = std::max(distance, glm::dot(arm, axes.back) + needed / seen_height(camera, 1.0));
   }
   CameraParams moved = camera;
+  if (orthographic) moved.view_height = static_cast<float>(height);
   moved.target = glm::vec3(middle);
   moved.eye = glm::vec3(middle + axes.back * distance);
   return accepted_or(keep_in_range(moved, bounds), camera);
@@ -238,6 +271,12 @@ CameraParams keep_in_range(const CameraParams& camera, const Bounds& bounds) {
     farthest = std::max(farthest, depth);
   }
   CameraParams moved = camera;
+  if (is_orthographic(camera) && nearest <= camera.near) {
+    const double step = 2.0 * camera.near - nearest;
+    moved.eye = glm::vec3(glm::dvec3(camera.eye) + back * step);
+    nearest += step;
+    farthest += step;
+  }
   if (farthest >= camera.far) moved.far = rounded_up(1.1 * farthest);
   if (nearest > 0 && nearest <= camera.near) moved.near = rounded_down(0.5 * nearest);
   // An eye inside the box sees what is at hand; near is then just not larger than makes sense for far.

@@ -33,7 +33,8 @@ CameraParams pan(const CameraParams& camera, const glm::vec2& from_px, const glm
                  const ViewSize& size);
 
 /// Moves the eye to (positive) or from the target, a tenth of the distance each step. Near and far stay,
-/// since depth edges are relative to far: the target stays between twice near and 95 % of far.
+/// since depth edges are relative to far: the target stays between twice near and 95 % of far. In
+/// orthographic views `view_height` shrinks by as much, and the eye stays.
 CameraParams dolly(const CameraParams& camera, double steps);
 
 /// The same towards what is under the cursor at the target's depth, which stays under it.
@@ -48,12 +49,18 @@ CameraParams look_around(const CameraParams& camera, double yaw_deg, double pitc
 /// (0, 90) nearly straight above.
 CameraParams view_from(const CameraParams& camera, double azimuth_deg, double elevation_deg);
 
+/// The camera with the other way to project. What lies in the plane through the target keeps its place and
+/// size in the image: an orthographic camera's `view_height` becomes what was seen there, and a perspective
+/// one's eye goes to where as much is seen there, near and far with it where they would cut the target.
+CameraParams with_projection(const CameraParams& camera, CameraProjection projection);
+
 /// Keeps the direction of view, puts the target in the middle of the box and the eye as near as the whole box
-/// is in sight; then `keep_in_range`. An empty box is taken as one of side 1.
+/// is in sight (in orthographic views a diagonal away, with the least `view_height`); then `keep_in_range`.
+/// An empty box is taken as one of side 1.
 CameraParams fit_to_bounds(const CameraParams& camera, const Bounds& bounds, const ViewSize& size);
 
 /// Moves near and far only as far as needed for the box to lie between them: a larger far makes all depth
-/// edges weaker.
+/// edges weaker. The eye of an orthographic view first steps back until the whole box is before it.
 CameraParams keep_in_range(const CameraParams& camera, const Bounds& bounds);
 
 /// A light's direction after a drag over the image as over a ball that fills it: the side of the ball that

@@ -61,10 +61,10 @@ MeshFeatures make_features(const MeshTopology& full, const FeatureParams& params
   return features;
 }
 
-std::vector<Polyline3> suggestive_contours(const MeshFeatures& features, const glm::dvec3& eye) {
+std::vector<Polyline3> suggestive_contours(const MeshFeatures& features, const Viewpoint& eye) {
   const glm::dmat3& stretch = features.params.stretch;
   std::vector<Polyline3> lines =
-      suggestive_contours(features.surface, stretch * eye, features.params.smooth_lines);
+      suggestive_contours(features.surface, eye.in(stretch), features.params.smooth_lines);
   unstretch(lines, stretch);
   return lines;
 }

@@ -37,6 +37,6 @@ struct MeshFeatures {
 MeshFeatures make_features(const MeshTopology& full, const FeatureParams& params = {});
 
 /// Suggestive contours for an eye in the mesh's space.
-std::vector<Polyline3> suggestive_contours(const MeshFeatures& features, const glm::dvec3& eye);
+std::vector<Polyline3> suggestive_contours(const MeshFeatures& features, const Viewpoint& eye);
 
 }  // namespace inkbench

@@ -51,11 +51,11 @@ std::vector<uint32_t> edges_that(const MeshTopology& topology, const Test& test)
 
 }  // namespace
 
-std::vector<int8_t> face_facings(const MeshTopology& topology, const glm::dvec3& eye, bool mirrored) {
+std::vector<int8_t> face_facings(const MeshTopology& topology, const Viewpoint& eye, bool mirrored) {
   std::vector<int8_t> facings(topology.faces.size());
   for (size_t f = 0; f < facings.size(); ++f) {
     const glm::dvec3& normal = topology.normals[f];
-    const double towards = glm::dot(normal, eye - topology.positions[topology.faces[f][0]]);
+    const double towards = glm::dot(normal, eye.from(topology.positions[topology.faces[f][0]]));
     const bool is_front = mirrored ? towards < 0.0 : towards > 0.0;
     facings[f] = static_cast<int8_t>(normal == glm::dvec3(0.0) ? 0 : is_front ? 1 : -1);
   }

@@ -10,6 +10,7 @@
 
 #include "pipeline/lines/chain.h"
 #include "pipeline/lines/topology.h"
+#include "pipeline/lines/viewpoint.h"
 #include "pipeline/settings/judge_params.h"
 
 namespace inkbench {
@@ -17,9 +18,10 @@ namespace inkbench {
 inline constexpr double kCreaseAngleDeg = JudgeParams{}.crease_angle;
 
 /// 1: front-facing, -1: back-facing, 0: without a normal. A face is front-facing if dot(face normal, eye -
-/// point) > 0; one that is seen exactly edge-on counts as back-facing. `mirrored`: the mesh is shown through
-/// a matrix with a negative determinant, which turns its faces around.
-std::vector<int8_t> face_facings(const MeshTopology& topology, const glm::dvec3& eye, bool mirrored = false);
+/// point) > 0, in orthographic views dot(face normal, direction towards the eye) > 0; one that is seen
+/// exactly edge-on counts as back-facing. `mirrored`: the mesh is shown through a matrix with a negative
+/// determinant, which turns its faces around.
+std::vector<int8_t> face_facings(const MeshTopology& topology, const Viewpoint& eye, bool mirrored = false);
 
 /// Edges between a front-facing and a back-facing face. A non-manifold edge is one if it has faces of both
 /// kinds, and among the front-facing ones those that run along it and those that run against it differ in

@@ -32,21 +32,29 @@ Inside clip_step(const glm::dvec4& a, const glm::dvec4& b) {
   return inside;
 }
 
+Viewpoint viewpoint_of(const CameraParams& camera, const glm::dmat4& to_world) {
+  const glm::dvec3 eye(camera.eye);
+  const glm::dmat4 to_mesh = glm::inverse(to_world);
+  if (!is_orthographic(camera)) return glm::dvec3(to_mesh * glm::dvec4(eye, 1.0));
+  return Viewpoint::at_infinity(glm::dmat3(to_mesh) * (eye - glm::dvec3(camera.target)));
+}
+
 }  // namespace
 
 Projection::Projection(const CameraParams& camera, int width_px, int height_px,
                        const glm::mat4& model_to_world)
-    : width_px_(width_px), height_px_(height_px) {
-  const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
-  const glm::dmat4 to_world(model_to_world);
-  to_clip_ = glm::dmat4(projection_matrix(camera, aspect)) * glm::dmat4(view_matrix(camera)) * to_world;
-  eye_ = glm::dvec3(glm::inverse(to_world) * glm::dvec4(glm::dvec3(camera.eye), 1.0));
-  mirrored_ = glm::determinant(glm::dmat3(to_world)) < 0.0;
-}
+    : width_px_(width_px),
+      height_px_(height_px),
+      projection_(projection_matrix(camera, static_cast<float>(width_px) / static_cast<float>(height_px))),
+      to_clip_(projection_ * glm::dmat4(view_matrix(camera)) * glm::dmat4(model_to_world)),
+      is_orthographic_(is_orthographic(camera)),
+      viewpoint_(viewpoint_of(camera, model_to_world)),
+      mirrored_(glm::determinant(glm::dmat3(model_to_world)) < 0.0) {}
 
 glm::dvec3 Projection::to_pixel(const glm::dvec4& clip) const {
+  const double depth = is_orthographic_ ? (projection_[3][2] - clip.z) / projection_[2][2] : 1.0 / clip.w;
   return {std::clamp((0.5 + 0.5 * clip.x / clip.w) * width_px_, 0.0, width_px_),
-          std::clamp((0.5 - 0.5 * clip.y / clip.w) * height_px_, 0.0, height_px_), 1.0 / clip.w};
+          std::clamp((0.5 - 0.5 * clip.y / clip.w) * height_px_, 0.0, height_px_), depth};
 }
 
 std::vector<ProjectedLine> Projection::project(std::span<const glm::dvec3> points) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines from a mesh's space to the image. In: points and camera. Out: the parts inside the view, in pixel
-// space, with 1 / z.
+// space, with 1 / z or z.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -8,12 +8,14 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/lines/viewpoint.h"
 #include "pipeline/settings/camera.h"
 
 namespace inkbench {
 
 /// x and y in px (x right, y down, pixel centres at + 0.5), and w = 1 / z with z = the distance along the
-/// view axis. All three are linear along a projected straight line. A closed line repeats its first point.
+/// view axis; in orthographic views z itself. So all three are linear along a projected straight line. A
+/// closed line repeats its first point.
 using ProjectedLine = std::vector<glm::dvec3>;
 
 inline bool is_closed(const ProjectedLine& line) {
@@ -25,8 +27,8 @@ class Projection {
   /// The matrices that the renderer uses, from the mesh's space on.
   Projection(const CameraParams& camera, int width_px, int height_px, const glm::mat4& model_to_world);
 
-  /// The eye in the mesh's space.
-  glm::dvec3 eye() const { return eye_; }
+  /// The eye in the mesh's space, or the direction towards it.
+  const Viewpoint& viewpoint() const { return viewpoint_; }
   /// Whether the mesh is shown inside out.
   bool mirrored() const { return mirrored_; }
 
@@ -38,8 +40,9 @@ class Projection {
   glm::dvec3 to_pixel(const glm::dvec4& clip) const;
 
   double width_px_, height_px_;
-  glm::dmat4 to_clip_;
-  glm::dvec3 eye_;
+  glm::dmat4 projection_, to_clip_;
+  bool is_orthographic_;
+  Viewpoint viewpoint_;
   bool mirrored_;
 };
 

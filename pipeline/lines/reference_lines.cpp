@@ -38,13 +38,13 @@ class MeshExtractor {
     const MeshTopology& topology = *mesh_.topology;
     const std::vector<Link> silhouettes = links_of(
         topology,
-        silhouette_edges(topology, face_facings(topology, projection_.eye(), projection_.mirrored())));
+        silhouette_edges(topology, face_facings(topology, projection_.viewpoint(), projection_.mirrored())));
     const std::vector<Link> boundaries = links_of(topology, boundary_edges(topology, crease_angle()));
     add_links(LineClass::silhouette, topology.positions, silhouettes, kAnyTurnDeg, result_.polylines);
     add_links(LineClass::boundary, topology.positions, boundaries, kMaxTurnDeg, result_.polylines);
     if (mesh_.features == nullptr) return;
     add_creases(silhouettes, boundaries);
-    for (const Polyline3& line : suggestive_contours(*mesh_.features, projection_.eye()))
+    for (const Polyline3& line : suggestive_contours(*mesh_.features, projection_.viewpoint()))
       add_line(line.line_class, line.points, result_.polylines);
     for (const Polyline3& line : mesh_.features->ridges_and_valleys)
       add_line(line.line_class, line.points, result_.polylines);
@@ -105,7 +105,7 @@ ReferenceLines reference_lines(std::span<const SceneMesh> scene, const CameraPar
   assert(depth.channels == 1 && object_id.channels == 1);
   assert(depth.width_px == object_id.width_px && depth.height_px == object_id.height_px);
   ReferenceLines result{depth.width_px, depth.height_px, {}, {}};
-  const DepthTest test(depth, static_cast<double>(camera.far));
+  const DepthTest test(depth, camera);
   for (const SceneMesh& mesh : scene) {
     const Projection projection(camera, depth.width_px, depth.height_px, mesh.model_to_world);
     MeshExtractor(mesh, projection, test, result).extract();

@@ -3,11 +3,11 @@
 // smooth surface, and the eye for suggestive contours. Out: lines through its faces, hidden parts included.
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <vector>
 
 #include "pipeline/lines/lines.h"
 #include "pipeline/lines/smooth_surface.h"
+#include "pipeline/lines/viewpoint.h"
 
 namespace inkbench {
 
@@ -27,7 +27,7 @@ struct SmoothLineParams {
 /// whose smoothed normals face the eye. Source: DeCarlo, Finkelstein, Rusinkiewicz and Santella, "Suggestive
 /// contours for conveying shape", 2003, 2.2; the derivative is taken of the linear function whose zeros are
 /// traced.
-std::vector<Polyline3> suggestive_contours(const SmoothSurface& surface, const glm::dvec3& eye,
+std::vector<Polyline3> suggestive_contours(const SmoothSurface& surface, const Viewpoint& eye,
                                            const SmoothLineParams& params);
 
 /// Maxima of the larger principal curvature along its own direction, where the surface is convex across the

@@ -20,14 +20,14 @@ struct Radial {
   std::vector<double> cosine;         ///< Of the angle between normal and view.
 };
 
-Radial radial_of(const SmoothSurface& surface, const glm::dvec3& eye) {
+Radial radial_of(const SmoothSurface& surface, const Viewpoint& eye) {
   Radial radial;
   const size_t count = surface.positions.size();
   radial.curvature.resize(count);
   radial.direction.resize(count);
   radial.cosine.resize(count);
   for (size_t i = 0; i < count; ++i) {
-    const glm::dvec3 to_eye = eye - surface.positions[i];
+    const glm::dvec3 to_eye = eye.from(surface.positions[i]);
     const double distance = glm::length(to_eye);
     const glm::dvec3 view = distance > 0.0 ? to_eye / distance : surface.normals[i];
     radial.cosine[i] = glm::dot(surface.normals[i], view);
@@ -41,7 +41,7 @@ Radial radial_of(const SmoothSurface& surface, const glm::dvec3& eye) {
 
 }  // namespace
 
-std::vector<Polyline3> suggestive_contours(const SmoothSurface& surface, const glm::dvec3& eye,
+std::vector<Polyline3> suggestive_contours(const SmoothSurface& surface, const Viewpoint& eye,
                                            const SmoothLineParams& params) {
   const Radial radial = radial_of(surface, eye);
   const std::vector<glm::dvec3> gradients = gradient_at_points(surface, radial.curvature);

@@ -75,7 +75,9 @@ bool DepthTest::is_visible(const glm::dvec3& point) const {
     for (int column = std::max(x - 1, 0); column <= std::min(x + 1, depth_.width_px - 1); ++column)
       farthest = std::max(farthest, depth_.at(column, row));
   }
-  return point.z * far_ * static_cast<double>(farthest) >= 1.0 - kDepthSlack;
+  const double z = static_cast<double>(camera_.far) * static_cast<double>(farthest);
+  if (is_orthographic(camera_)) return point.z <= z + kDepthSlack * camera_.view_height;
+  return point.z * z >= 1.0 - kDepthSlack;
 }
 
 std::vector<ProjectedLine> visible_pieces(const ProjectedLine& line, const DepthTest& test) {

@@ -22,17 +22,18 @@ std::vector<LineSample> sample_line(const ProjectedLine& line);
 
 class DepthTest {
  public:
-  /// `depth`: the raw depth buffer, H x W x 1, distance along the view axis / far, row 0 on top; it must
-  /// outlive the test.
-  DepthTest(const Image& depth, double far) : depth_(depth), far_(far) {}
+  /// `depth`: the raw depth buffer of that camera, H x W x 1, distance along the view axis / far, row 0 on
+  /// top; it must outlive the test.
+  DepthTest(const Image& depth, const CameraParams& camera) : depth_(depth), camera_(camera) {}
 
   /// Whether w = 1 / z is at least (1 - 0.001) times the smallest w in the 3 x 3 pixels around the point, as
-  /// far as they lie in the image.
+  /// far as they lie in the image; in orthographic views, whether z is at most the largest z there and 0.001
+  /// of the view's height.
   bool is_visible(const glm::dvec3& point) const;
 
  private:
   const Image& depth_;
-  double far_;
+  CameraParams camera_;
 };
 
 /// Runs of visible samples, each from its first to its last sample, if that is `kShortestPiecePx` or longer.

@@ -16,7 +16,7 @@ const Description& LightParams::description() {
           field<&LightParams::position>({.name = "position",
                                          .help = "Where a point light is.",
                                          .unit = "world units",
-                                         .limits = {-1e4, 1e4},
+                                         .limits = {-1e6, 1e6},
                                          .slider = {-10, 10},
                                          .matters_when = "type = point"}),
           field<&LightParams::ambient>({.name = "ambient",

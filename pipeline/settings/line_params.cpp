@@ -41,6 +41,18 @@ const Description& LineParams::description() {
   return kDescription;
 }
 
+ClassLooks default_class_looks() {
+  constexpr std::array<glm::vec3, kEdgeClasses> kColours{{{0.0F, 0.0F, 0.0F},
+                                                          {0.0F, 0.447F, 0.698F},
+                                                          {0.835F, 0.369F, 0.0F},
+                                                          {0.0F, 0.62F, 0.451F},
+                                                          {0.8F, 0.475F, 0.655F},
+                                                          {0.902F, 0.624F, 0.0F}}};
+  ClassLooks looks;
+  for (size_t i = 0; i < kEdgeClasses; ++i) looks[i].colour = kColours[i];
+  return looks;
+}
+
 const Description& ClassLookParams::description() {
   static const Description kDescription{
       "line_class",

@@ -41,5 +41,9 @@ struct ClassLookParams {
 
   static const Description& description();
 };
+using ClassLooks = std::array<ClassLookParams, kEdgeClasses>;  ///< From `EdgeClass::object` on.
+
+/// Colours that tell the classes apart, for all readers: Okabe and Ito's.
+ClassLooks default_class_looks();
 
 }  // namespace inkbench

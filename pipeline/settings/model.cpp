@@ -83,7 +83,7 @@ const Description& ModelParams::description() {
               {.name = "size",
                .help = "Longest side of the bounding box; 0 keeps the mesh's own units.",
                .unit = "world units",
-               .limits = {0, 1e4},
+               .limits = {0, 1e6},
                .slider = {0, 10}}),
           field<&ModelParams::anchor>(
               {.name = "anchor",
@@ -92,7 +92,7 @@ const Description& ModelParams::description() {
           field<&ModelParams::position>({.name = "position",
                                          .help = "Where the anchor stands.",
                                          .unit = "world units",
-                                         .limits = {-1e4, 1e4},
+                                         .limits = {-1e6, 1e6},
                                          .slider = {-10, 10}}),
           field<&ModelParams::rotation>({.name = "rotation",
                                          .help = "Turn about x, then y, then z.",
@@ -101,7 +101,7 @@ const Description& ModelParams::description() {
                                          .slider = {-180, 180}}),
           field<&ModelParams::scale>({.name = "scale",
                                       .help = "Stretch along the model's own axes.",
-                                      .limits = {1e-4, 1e4},
+                                      .limits = {1e-6, 1e6},
                                       .slider = {0.1, 10},
                                       .scale = Scale::log}),
       }};

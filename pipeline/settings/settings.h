@@ -44,7 +44,7 @@ struct Settings {
   LaplacianParams laplacian;
   DihedralParams dihedral;
   LineParams line;
-  std::array<ClassLookParams, kEdgeClasses> class_looks;  ///< From `EdgeClass::object` on.
+  ClassLooks class_looks = default_class_looks();
   InkParams ink;
   DisplayParams display;
   JudgeParams judge;

@@ -32,9 +32,8 @@ float edge_class(ivec2 at, float strength, float weak) {
     other_id = other_id || texelFetch(object_id_map, inside(at + towards), 0).r != id;
     other_ground = other_ground || is_background(depth[2]) != is_background(own);
     float a = affine_depth(depth[0]), c = affine_depth(depth[2]), d = affine_depth(depth[3]);
-    float from_here = in_pixel_sizes(a - 2.0 * here + c, here), from_there = in_pixel_sizes(here - 2.0 * c + d, here);
-    step_px = max(step_px, min(from_here, from_there));
-    bend_px = max(bend_px, from_here);
+    step_px = max(step_px, step_between(a, here, c, d));
+    bend_px = max(bend_px, in_pixel_sizes(a - 2.0 * here + c, here));
   }
   if (other_id) return class_object;
   if (step_px > 1.0 || other_ground) return class_silhouette;

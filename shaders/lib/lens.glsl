@@ -23,3 +23,12 @@ float in_pixel_sizes(float second_difference, float here) {
   float unit = lens.is_orthographic != 0 ? lens.pixel_size : here * lens.pixel_size;
   return abs(second_difference) / unit;
 }
+
+// Between `b` and `c` of four values of `affine_depth` in a row: how far each lies from the plane through the two of the
+// other side, the smaller distance of both, in pixels' sizes in the world. A bend, however sharp, has less than one.
+float step_between(float a, float b, float c, float d) {
+  float slope_b = in_pixel_sizes(b - a, b), slope_c = in_pixel_sizes(d - c, c);
+  float c_from_b = in_pixel_sizes(a - 2.0 * b + c, b) * inversesqrt(1.0 + slope_b * slope_b);
+  float b_from_c = in_pixel_sizes(b - 2.0 * c + d, c) * inversesqrt(1.0 + slope_c * slope_c);
+  return min(c_from_b, b_from_c);
+}

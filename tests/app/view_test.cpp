@@ -107,6 +107,21 @@ TEST_F(AppView, alt_drag_turns_the_camera_about_its_target) {
   EXPECT_EQ(after["view"]["zoom"], 1.0) << "the view stays";
 }
 
+TEST_F(AppView, x_makes_the_camera_orthographic_as_one_step) {
+  open();
+  const Json before = settled();
+  keys("x");
+  wait_for("a step", [](const Json& now) { return now["steps"].size() == 1; });
+  const Json after = settled();
+  EXPECT_EQ(parameter(after, "camera.projection"), "\"orthographic\"");
+  EXPECT_NE(after["pictures"]["depth"], before["pictures"]["depth"]);
+  EXPECT_NE(after["pictures"]["reference"], before["pictures"]["reference"]);
+  keys("ctrl+z");
+  wait_for("perspective",
+           [&](const Json& now) { return parameter(now, "camera.projection") == "\"perspective\""; });
+  EXPECT_EQ(settled()["pictures"]["depth"], before["pictures"]["depth"]);
+}
+
 TEST_F(AppView, reference_lines_follow_the_camera_while_it_is_held) {
   open();
   const Json before = state();

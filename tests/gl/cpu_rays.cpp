@@ -7,6 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -114,13 +115,29 @@ Hits hit_body(const Body& body, const dvec3& eye, const dvec3& ray) {
 
 }  // namespace
 
-glm::dvec3 pixel_ray(const CameraParams& camera, int x, int y, int width_px, int height_px) {
+namespace {
+
+/// From the view axis to a pixel's centre, in the plane where the image is `height` high.
+dvec3 across(const CameraParams& camera, glm::dvec2 centre, glm::dvec2 size_px, double height) {
   const dvec3 forward = glm::normalize(dvec3(camera.target) - dvec3(camera.eye));
   const dvec3 right = glm::normalize(glm::cross(forward, dvec3(camera.up)));
   const dvec3 up = glm::cross(right, forward);
-  const double half_height = std::tan(glm::radians(static_cast<double>(camera.fov)) / 2.0);
-  const double pixel = 2.0 * half_height / height_px;  // side of a pixel one unit away
-  return forward + right * ((x + 0.5 - width_px / 2.0) * pixel) + up * ((height_px / 2.0 - y - 0.5) * pixel);
+  const double pixel = height / size_px.y;
+  return right * ((centre.x - size_px.x / 2.0) * pixel) + up * ((size_px.y / 2.0 - centre.y) * pixel);
+}
+
+}  // namespace
+
+glm::dvec3 pixel_ray(const CameraParams& camera, int x, int y, int width_px, int height_px) {
+  const dvec3 forward = glm::normalize(dvec3(camera.target) - dvec3(camera.eye));
+  if (camera.projection == CameraProjection::orthographic) return forward;
+  const double height = 2.0 * std::tan(glm::radians(static_cast<double>(camera.fov)) / 2.0);
+  return forward + across(camera, {x + 0.5, y + 0.5}, {width_px, height_px}, height);
+}
+
+glm::dvec3 pixel_eye(const CameraParams& camera, int x, int y, int width_px, int height_px) {
+  if (camera.projection != CameraProjection::orthographic) return camera.eye;
+  return dvec3(camera.eye) + across(camera, {x + 0.5, y + 0.5}, {width_px, height_px}, camera.view_height);
 }
 
 Surface cast_rays(const Settings& settings) {
@@ -135,9 +152,10 @@ Surface cast_rays(const Settings& settings) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const dvec3 ray = pixel_ray(camera, x, y, width, height);
+      const dvec3 eye = pixel_eye(camera, x, y, width, height);
       double nearest = camera.far;
       for (const Body& body : bodies) {
-        for (const Hit& hit : hit_body(body, dvec3(camera.eye), ray)) {
+        for (const Hit& hit : hit_body(body, eye, ray)) {
           if (hit.along < camera.near || hit.along >= nearest) continue;
           nearest = hit.along;
           dvec3 normal = glm::normalize(glm::transpose(glm::inverse(body.linear)) * hit.normal);

@@ -19,6 +19,9 @@ struct Surface {
 /// The ray through the centre of a pixel, one unit long along the view axis; row 0 is the top one.
 glm::dvec3 pixel_ray(const CameraParams& camera, int x, int y, int width_px, int height_px);
 
+/// Where that ray starts, in the plane through the eye: the eye itself in perspective views.
+glm::dvec3 pixel_eye(const CameraParams& camera, int x, int y, int width_px, int height_px);
+
 /// Boxes, spheres (also inside out) and planes, exactly, between the near and the far plane.
 Surface cast_rays(const Settings& settings);
 

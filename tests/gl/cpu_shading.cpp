@@ -74,8 +74,9 @@ Shading shade(const Settings& settings, const Map& normal, const Map& depth, con
       dvec3 colour(settings.scene.background);
       if (id > 0) {
         const dvec3 ray = pixel_ray(settings.camera, x, y, depth.width_px, depth.height_px);
+        const dvec3 eye = pixel_eye(settings.camera, x, y, depth.width_px, depth.height_px);
         const dvec3 encoded(normal.at(x, y, 0), normal.at(x, y, 1), normal.at(x, y, 2));
-        const Point point{dvec3(settings.camera.eye) + ray * (depth.at(x, y) * settings.camera.far),
+        const Point point{eye + ray * (depth.at(x, y) * settings.camera.far),
                           glm::normalize(2.0 * encoded - 1.0), -glm::normalize(ray),
                           settings.models[id - 1].material};
         colour = dvec3(settings.scene.ambient) * dvec3(point.material.colour) *

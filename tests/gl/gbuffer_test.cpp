@@ -104,6 +104,70 @@ TEST(GBuffer, shows_the_inside_of_shapes_that_the_near_plane_cuts) {
   }
 }
 
+Settings orthographic_scene() {
+  Settings settings = analytic_scene();
+  settings.camera.projection = CameraProjection::orthographic;
+  settings.camera.view_height = 4.5F;
+  return settings;
+}
+
+TEST(GBuffer, equals_rays_in_orthographic_views_of_any_shape) {
+  Settings settings = orthographic_scene();
+  expect_rays(settings);
+  settings.image.width = 61;
+  settings.image.height = 150;
+  expect_rays(settings);
+}
+
+TEST(GBuffer, shows_the_inside_of_shapes_that_an_orthographic_view_cuts) {
+  Settings settings = orthographic_scene();
+  for (const float near : {4.0F, 5.5F, 6.5F, 7.5F}) {
+    settings.camera.near = near;
+    expect_rays(settings);
+  }
+}
+
+TEST(GBuffer, depth_of_a_slanted_plane_is_exact_in_orthographic_views_whatever_the_planes) {
+  Settings settings = orthographic_scene();
+  settings.models = {settings.models[0]};
+  settings.models[0].size = 100.0F;
+  for (const auto& [near, far] : {std::pair{0.1F, 20.0F}, {0.01F, 1000.0F}, {1.0F, 30.0F}}) {
+    settings.camera.near = near;
+    settings.camera.far = far;
+    Pipeline pipeline;
+    const Image depth = pipeline.at(settings).raw(BufferName::depth);
+    double worst = 0.0;
+    for (int y = 0; y < depth.height_px; ++y) {
+      for (int x = 0; x < depth.width_px; ++x) {
+        const glm::dvec3 eye = reference::pixel_eye(settings.camera, x, y, depth.width_px, depth.height_px);
+        const glm::dvec3 ray = reference::pixel_ray(settings.camera, x, y, depth.width_px, depth.height_px);
+        worst = std::max(worst, std::abs(double{depth.at(x, y)} * far + eye.y / ray.y));
+      }
+    }
+    EXPECT_LT(worst, 2e-5) << "world units, near " << near << ", far " << far;
+  }
+}
+
+TEST(GBuffer, a_scene_of_another_size_is_drawn_to_the_bit_as_it_was) {
+  for (const CameraProjection projection : {CameraProjection::perspective, CameraProjection::orthographic}) {
+    Settings settings = orthographic_scene();
+    settings.camera.projection = projection;
+    settings.models[1].two_sided = false;
+    Pipeline pipeline;
+    const auto all_maps = [&](const Settings& scene) {
+      std::vector<Image> maps;
+      for (const BufferName buffer : framebuffers()) maps.push_back(pipeline.at(scene).raw(buffer));
+      return maps;
+    };
+    const std::vector<Image> before = all_maps(settings);
+    for (const float scale : {0.0009765625F, 1024.0F}) {  // powers of two, which floats hold exactly
+      const std::vector<Image> after = all_maps(scaled_scene(settings, scale));
+      for (size_t i = 0; i < before.size(); ++i)
+        EXPECT_EQ(before[i].samples, after[i].samples) << scale << " " << name_of(framebuffers()[i]);
+    }
+  }
+}
+
 TEST(GBuffer, depth_is_the_papers_linearisation_over_far) {
   // A wall facing the camera 4 units away: z of 3.4.2 is the same in all pixels, whatever the angle of the
   // ray.
@@ -167,8 +231,7 @@ TEST(GBuffer, nearer_surfaces_hide_farther_ones_in_any_order) {
   EXPECT_EQ(largest_difference(pipeline.at(settings).raw(BufferName::depth), depth), 0.0);
 }
 
-TEST(GBuffer, a_model_beyond_the_far_plane_is_told_once) {
-  Settings settings = analytic_scene();
+void expect_told_once(Settings settings) {
   std::vector<std::string> notes;
   const LogSink before = set_log_sink([&](const std::string& note) { notes.push_back(note); });
   Pipeline pipeline;
@@ -177,10 +240,16 @@ TEST(GBuffer, a_model_beyond_the_far_plane_is_told_once) {
   settings.models[1].position += 100.0F * (settings.camera.target - settings.camera.eye);
   pipeline.at(settings).raw(BufferName::depth);
   settings.camera.fov += 1.0F;
+  settings.camera.view_height += 1.0F;
   pipeline.at(settings).raw(BufferName::depth);
   set_log_sink(before);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(notes[0].substr(0, notes[0].find(" lies")), "model '" + settings.models[1].name + "'");
+}
+
+TEST(GBuffer, a_model_beyond_the_far_plane_is_told_once) {
+  expect_told_once(analytic_scene());
+  expect_told_once(orthographic_scene());
 }
 
 TEST(GBuffer, a_face_seen_from_behind_takes_the_opposite_normal_where_it_is_two_sided) {

@@ -11,7 +11,7 @@ namespace {
 
 Image run_ink(const InkParams& params, const Image& shaded, const Image& edges) {
   const GeneratedSources generated = generated_sources();
-  return InkPass(generated).run(params, to_texture(shaded), to_texture(edges)).read(0, 3);
+  return InkPass(generated).run({.ink = params}, to_texture(shaded), to_texture(edges)).read(0, 3);
 }
 
 TEST(Ink, equals_reference_on_noise_of_any_size) {

@@ -99,6 +99,38 @@ TEST(Keys, display_gains_run_no_pass) {
   EXPECT_FALSE(before == after);
 }
 
+TEST(Keys, placing_width_and_look_are_steps_of_their_own) {
+  Settings settings = small_scene();
+  settings.edges.method = EdgeMethod::laplacian;
+  const auto passes = [&](const std::function<void(Settings&)>& change) {
+    Pipeline pipeline;
+    pipeline.at(settings).raw(BufferName::final);
+    Settings changed = settings;
+    change(changed);
+    return passes_run_by(pipeline, [&] { pipeline.at(changed).raw(BufferName::final); });
+  };
+  EXPECT_EQ(passes([](Settings& s) { s.laplacian.bend *= 2.0F; }),
+            (Names{"laplacian", "candidates", "place", "line_tiles", "narrow_coverage", "ink"}));
+  EXPECT_EQ(passes([](Settings& s) { s.edges.min_length = 5.0F; }),
+            (Names{"connect", "line_tiles", "narrow_coverage", "ink"}));
+  EXPECT_EQ(passes([](Settings& s) { s.line.width = 3.0F; }), (Names{"narrow_coverage", "ink"}));
+  EXPECT_EQ(passes([](Settings& s) { s.line.width = 5.0F; }), (Names{"seeds", "flood", "coverage", "ink"}));
+  EXPECT_EQ(passes([](Settings& s) { s.line.antialias = false; }), (Names{"narrow_coverage", "ink"}));
+  EXPECT_EQ(passes([](Settings& s) { s.class_looks[0].opacity = 0.5F; }), (Names{"ink"}));
+  EXPECT_EQ(passes([](Settings& s) { s.class_looks[0].colour.x = 0.5F; }), Names{}) << "colours are off";
+  EXPECT_EQ(passes([](Settings& s) { s.combine.k_depth *= 2.0F; }), Names{}) << "another method's";
+}
+
+TEST(Keys, the_papers_method_has_nothing_to_do_with_the_others_parameters) {
+  EXPECT_EQ(passes_after([](Settings& s) {
+              s.line.width = 4.0F;
+              s.laplacian.bend = 3.0F;
+              s.edges.min_length = 9.0F;
+              s.class_looks[1].opacity = 0.1F;
+            }),
+            Names{});
+}
+
 TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
   const std::map<BufferName, Names> needs{
       {BufferName::normal, {"meshes", "gbuffer"}},
@@ -108,6 +140,9 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
       {BufferName::depth_edges, {"meshes", "gbuffer", "gradient"}},
       {BufferName::combined_edges, {"meshes", "gbuffer", "gradient", "range", "combine"}},
       {BufferName::lines, {"meshes", "gbuffer", "gradient", "range", "combine", "lines"}},
+      {BufferName::coverage, {"meshes", "gbuffer", "gradient", "range", "combine", "lines"}},
+      {BufferName::edge_strength, {"meshes", "gbuffer", "gradient", "range", "paper_strength"}},
+      {BufferName::edge_class, {"meshes", "gbuffer", "gradient", "range", "paper_strength"}},
       {BufferName::shaded, {"meshes", "gbuffer", "shade"}},
       {BufferName::blinn_phong, {"meshes", "gbuffer", "blinn_phong"}},
       {BufferName::final, with_meshes(kFloatChain)}};
@@ -123,7 +158,7 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
 TEST(Keys, all_buffers_together_run_each_pass_once) {
   Pipeline pipeline;
   Names expected = with_meshes(kFloatChain);
-  expected.insert({"blinn_phong", "lines"});
+  expected.insert({"blinn_phong", "lines", "paper_strength"});
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
                             for (const BufferName buffer : framebuffers())

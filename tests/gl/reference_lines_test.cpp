@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Reference lines with the pipeline's own depth and object-id buffers, and of the rabbit.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <glm/geometric.hpp>
 
+#include "pipeline/base/text.h"
 #include "pipeline/lines/reference_lines.h"
 #include "pipeline/mesh/levels/model_mesh.h"
+#include "pipeline/mesh/shapes/primitives.h"
+#include "pipeline/passes/lines/reference.h"
 #include "pipeline/pipeline.h"
+#include "tests/gl/checks.h"
 #include "tests/gl/scenes.h"
 
 namespace inkbench {
@@ -144,6 +150,37 @@ TEST(ReferenceLines, rabbit_has_lines_of_every_class_it_can_have) {
     EXPECT_GT(class_map(lines, line_class).count(), 100) << name_of(line_class);
   }
   EXPECT_EQ(class_map(lines, LineClass::boundary).count(), 0);
+}
+
+/// A ball with dents, `scale` times as large, in a file of its own units.
+std::string dented_ball(TempFolder& folder, float scale) {
+  const Mesh ball = make_sphere(48);
+  std::string text;
+  for (const glm::vec3& p : ball.positions) {
+    const glm::vec3 place = scale * p * (1.0F + 0.2F * std::sin(5.0F * p.x) * std::sin(5.0F * p.y + 1.0F));
+    text += "v " + shortest(place.x) + " " + shortest(place.y) + " " + shortest(place.z) + "\n";
+  }
+  for (const auto& t : ball.triangles) text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  return folder.write(fmt::format("ball_{}.obj", scale), text).string();
+}
+
+TEST(ReferenceLines, of_a_scene_of_another_size_are_the_same) {
+  TempFolder folder;
+  for (const CameraProjection projection : {CameraProjection::perspective, CameraProjection::orthographic}) {
+    Settings settings = analytic_scene();
+    settings.camera.projection = projection;
+    settings.models[1] = {.name = "ball", .mesh = dented_ball(folder, 1.0F), .position = {0.9F, 1.0F, 0.0F}};
+    Pipeline pipeline;
+    const std::vector<Polyline> before = pipeline.at(settings).value<ReferencePass>()->polylines;
+    EXPECT_TRUE(std::ranges::any_of(
+        before, [](const Polyline& line) { return line.line_class == LineClass::suggestive; }));
+    for (const float scale : {0.0009765625F, 1024.0F}) {  // powers of two, which floats hold exactly
+      Settings other = scaled_scene(settings, scale);
+      other.models[1].mesh = dented_ball(folder, scale);
+      other.models[1].scale = glm::vec3(1.0F);
+      EXPECT_TRUE(pipeline.at(other).value<ReferencePass>()->polylines == before) << scale;
+    }
+  }
 }
 
 }  // namespace

@@ -56,6 +56,21 @@ Settings analytic_scene() {
   return settings;
 }
 
+Settings scaled_scene(Settings settings, float scale) {
+  CameraParams& camera = settings.camera;
+  for (float* const length : {&camera.near, &camera.far, &camera.view_height}) *length *= scale;
+  for (glm::vec3* const place : {&camera.eye, &camera.target}) *place *= scale;
+  for (LightParams& light : settings.lights) light.position *= scale;
+  for (ModelParams& model : settings.models) {
+    model.position *= scale;
+    (model.size > 0.0F ? model.size : model.scale.x) *= scale;
+    if (model.size > 0.0F) continue;
+    model.scale.y *= scale;
+    model.scale.z *= scale;
+  }
+  return settings;
+}
+
 Settings paper_scene(int width_px, int height_px) {
   Settings settings = load_settings(project_file("data/scenes/paper.toml"));
   settings.image.width = width_px;

@@ -2,6 +2,7 @@
 // Light against the equations of 3.1 and 3.2 at the pixels' centres.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "pipeline/image/image_file.h"
@@ -68,6 +69,39 @@ TEST(Shade, ramped_light_equals_rays_away_from_steps) {
 
 TEST(Shade, sums_directional_and_point_lights) {
   expect_shaded(analytic_scene());
+}
+
+TEST(Shade, equals_reference_in_orthographic_views) {
+  Settings settings = analytic_scene();
+  settings.camera.projection = CameraProjection::orthographic;
+  expect_shaded(settings);
+}
+
+TEST(Shade, the_sun_lights_all_of_a_plane_alike_in_an_orthographic_view) {
+  // Its highlight, too, since the way to the eye is the same everywhere.
+  Settings settings = analytic_scene();
+  settings.camera.projection = CameraProjection::orthographic;
+  settings.camera.view_height = 1.0F;
+  settings.models = {settings.models[0]};
+  settings.models[0].size = 50.0F;
+  settings.models[0].material.specular = 0.5F;
+  settings.lights = {settings.lights[0]};
+  settings.ramp.enabled = false;
+  const auto spread = [&] {
+    const Image shaded = Pipeline().at(settings).raw(BufferName::shaded);
+    double least = shaded.at(0, 0, 1), most = least;
+    for (int y = 0; y < shaded.height_px; ++y) {
+      for (int x = 0; x < shaded.width_px; ++x) {
+        least = std::min<double>(least, shaded.at(x, y, 1));
+        most = std::max<double>(most, shaded.at(x, y, 1));
+      }
+    }
+    return most - least;
+  };
+  EXPECT_LT(spread(), 1e-6);
+  settings.camera.projection = CameraProjection::perspective;
+  settings.camera.fov = 8.0F;
+  EXPECT_GT(spread(), 1e-3);
 }
 
 TEST(Shade, equals_reference_with_each_light_alone) {

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+
+#include "pipeline/base/error.h"
 
 namespace inkbench {
 namespace {
@@ -91,6 +94,59 @@ TEST(Camera, projection_matrix_by_hand) {
       EXPECT_NEAR(matrix[column][row], expected, 1e-5F) << column << ", " << row;
     }
   }
+}
+
+CameraParams orthographic_camera() {
+  CameraParams camera{.eye = {3, 1, 4}, .target = {0.5F, 0, -1}, .up = {0.2F, 1, 0}, .near = 2, .far = 9};
+  camera.projection = CameraProjection::orthographic;
+  camera.view_height = 3.0F;
+  return camera;
+}
+
+TEST(Camera, orthographic_projection_by_hand) {
+  const CameraParams camera = orthographic_camera();
+  expect_near(projected(camera, 2.0F, {3, 1.5F, -2}), {1, 1, -1});
+  expect_near(projected(camera, 2.0F, {-3, -0.75F, -9}), {-1, -0.5F, 1});
+  EXPECT_NEAR(projected(camera, 2.0F, {0, 0, -5.5F}).z, 0.0F, 1e-6F) << "depth is linear";
+}
+
+TEST(Camera, seen_height_and_pixel_size_are_what_the_matrices_show) {
+  CameraParams camera = orthographic_camera();
+  for (const CameraProjection projection : {CameraProjection::perspective, CameraProjection::orthographic}) {
+    camera.projection = projection;
+    for (const float distance : {2.0F, 5.0F, 8.5F}) {
+      const auto half = static_cast<float>(seen_height(camera, distance) / 2.0);
+      EXPECT_NEAR(projected(camera, 1.5F, {0, half, -distance}).y, 1.0F, 1e-5F);
+      EXPECT_NEAR(projected(camera, 1.5F, {1.5F * half, 0, -distance}).x, 1.0F, 1e-5F);
+      EXPECT_DOUBLE_EQ(pixel_size(camera, distance, 600) * 600, seen_height(camera, distance));
+    }
+  }
+}
+
+TEST(Camera, rays_see_what_the_matrices_project_there) {
+  CameraParams camera = orthographic_camera();
+  const float aspect = 1.5F;
+  for (const CameraProjection projection : {CameraProjection::perspective, CameraProjection::orthographic}) {
+    camera.projection = projection;
+    const ViewRays rays = view_rays(camera, aspect);
+    for (const glm::vec2 place : {glm::vec2(0, 0), glm::vec2(1, 0.25F), glm::vec2(0.3F, 1)}) {
+      const float z = 6.0F;
+      const glm::vec3 point = rays.eye + place.x * rays.eye_right + place.y * rays.eye_up +
+                              z * (rays.ray + place.x * rays.ray_right + place.y * rays.ray_up);
+      const glm::vec3 in_view = seen(camera, point);
+      EXPECT_NEAR(in_view.z, -z, 1e-5F);
+      const glm::vec3 shown = projected(camera, aspect, in_view);
+      EXPECT_NEAR(shown.x, 2 * place.x - 1, 1e-5F);
+      EXPECT_NEAR(shown.y, 2 * place.y - 1, 1e-5F);
+    }
+  }
+}
+
+TEST(Camera, a_tiny_scenes_camera_is_one) {
+  CameraParams camera{.eye = {2e-7F, 0, 0}, .target = {0, 1e-7F, 0}};
+  EXPECT_NO_THROW(check_camera(camera));
+  camera.target = camera.eye;
+  EXPECT_THROW(check_camera(camera), Error);
 }
 
 }  // namespace

@@ -113,8 +113,10 @@ struct BoxEdges {
   std::vector<std::array<glm::dvec3, 2>> silhouette, crease, hidden;
 };
 
-/// The 12 edges of the unit box by how its sides face an eye outside.
-BoxEdges box_edges(const glm::dvec3& eye) {
+/// The 12 edges of the unit box by how its sides face an eye outside; one that is infinitely far away in an
+/// orthographic view.
+BoxEdges box_edges(const glm::dvec3& eye, bool at_infinity) {
+  const double least = at_infinity ? 0.0 : 1.0;
   BoxEdges edges;
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3;
@@ -127,7 +129,7 @@ BoxEdges box_edges(const glm::dvec3& eye) {
           edge[end][u] = at_u;
           edge[end][v] = at_v;
         }
-        const int fronts = (eye[u] / at_u > 1.0 ? 1 : 0) + (eye[v] / at_v > 1.0 ? 1 : 0);
+        const int fronts = (eye[u] / at_u > least ? 1 : 0) + (eye[v] / at_v > least ? 1 : 0);
         (fronts == 2 ? edges.crease : fronts == 1 ? edges.silhouette : edges.hidden).push_back(edge);
       }
     }
@@ -147,8 +149,11 @@ double largest_gap(const ReferenceScene& scene, const std::vector<std::array<glm
   return worst;
 }
 
-void expect_box(const glm::vec3& eye, int segments) {
+void expect_box(const glm::vec3& eye, int segments,
+                CameraProjection projection = CameraProjection::perspective) {
   ReferenceScene scene;
+  scene.camera.projection = projection;
+  scene.camera.view_height = 2.5F;
   scene.camera.eye = eye;
   scene.camera.fov = 25.0F;
   scene.add(make_box(segments));
@@ -159,7 +164,7 @@ void expect_box(const glm::vec3& eye, int segments) {
   ASSERT_EQ(silhouettes.size(), 1U);
   EXPECT_TRUE(is_closed_line(silhouettes[0]));
   EXPECT_EQ(creases.size(), 3U);
-  const BoxEdges edges = box_edges(eye);
+  const BoxEdges edges = box_edges(eye, is_orthographic(scene.camera));
   EXPECT_EQ(edges.silhouette.size() + edges.crease.size(), 9U);
   EXPECT_LT(largest_gap(scene, edges.silhouette, silhouettes), 0.01);
   EXPECT_LT(largest_gap(scene, edges.crease, creases), 0.51);  // a piece ends at its last visible sample
@@ -177,6 +182,13 @@ TEST(ReferenceShapes, box_shows_nine_edges_and_none_of_the_hidden_three) {
   expect_box({2.0F, 1.5F, 4.0F}, 1);
   expect_box({-3.0F, 2.0F, 2.5F}, 1);
   expect_box({2.2F, -3.0F, -2.8F}, 5);
+}
+
+TEST(ReferenceShapes, box_shows_nine_edges_in_orthographic_views) {
+  expect_box({2.0F, 1.5F, 4.0F}, 1, CameraProjection::orthographic);
+  // Where a perspective view from there shows a single side.
+  expect_box({0.4F, -0.3F, 3.0F}, 1, CameraProjection::orthographic);
+  expect_box({2.2F, -3.0F, -2.8F}, 5, CameraProjection::orthographic);
 }
 
 TEST(ReferenceShapes, box_seen_straight_on_is_a_square) {

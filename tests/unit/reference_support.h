@@ -63,17 +63,22 @@ class ReferenceScene {
   float aspect() const { return static_cast<float>(width_px) / static_cast<float>(height_px); }
   const std::vector<SceneMesh>& meshes() const { return meshes_; }
 
-  /// Where a point of the world is in the image, and 1 / z.
+  /// Where a point of the world is in the image, and 1 / z; in orthographic views z.
   glm::dvec3 pixel_of(const glm::dvec3& world) const {
     const glm::dvec4 clip = glm::dmat4(projection_matrix(camera, aspect())) *
                             glm::dmat4(view_matrix(camera)) * glm::dvec4(world, 1.0);
-    return {(0.5 + 0.5 * clip.x / clip.w) * width_px, (0.5 - 0.5 * clip.y / clip.w) * height_px,
-            1.0 / clip.w};
+    return to_pixel(clip);
   }
 
   Image depth, object_id;
 
  private:
+  glm::dvec3 to_pixel(const glm::dvec4& clip) const {
+    const double z = camera.near + (0.5 + 0.5 * clip.z) * (double{camera.far} - camera.near);
+    return {(0.5 + 0.5 * clip.x / clip.w) * width_px, (0.5 - 0.5 * clip.y / clip.w) * height_px,
+            is_orthographic(camera) ? z : 1.0 / clip.w};
+  }
+
   static std::vector<glm::dvec4> clip_near(const std::vector<glm::dvec4>& polygon) {
     std::vector<glm::dvec4> kept;
     for (size_t i = 0; i < polygon.size(); ++i) {
@@ -89,9 +94,7 @@ class ReferenceScene {
 
   void draw_polygon(const std::vector<glm::dvec4>& polygon, int id) {
     std::vector<glm::dvec3> corners;
-    for (const glm::dvec4& clip : polygon)
-      corners.emplace_back((0.5 + 0.5 * clip.x / clip.w) * width_px,
-                           (0.5 - 0.5 * clip.y / clip.w) * height_px, 1.0 / clip.w);
+    for (const glm::dvec4& clip : polygon) corners.push_back(to_pixel(clip));
     for (size_t i = 2; i < corners.size(); ++i) draw_triangle(corners[0], corners[i - 1], corners[i], id);
   }
 
@@ -106,8 +109,9 @@ class ReferenceScene {
         const double u = ((b.x - x - 0.5) * (c.y - y - 0.5) - (b.y - y - 0.5) * (c.x - x - 0.5)) / area;
         const double v = ((c.x - x - 0.5) * (a.y - y - 0.5) - (c.y - y - 0.5) * (a.x - x - 0.5)) / area;
         if (u < 0.0 || v < 0.0 || u + v > 1.0) continue;
+        const double third = u * a.z + v * b.z + (1.0 - u - v) * c.z;
         const auto pixel_depth =
-            static_cast<float>(1.0 / ((u * a.z + v * b.z + (1.0 - u - v) * c.z) * camera.far));
+            static_cast<float>((is_orthographic(camera) ? third : 1.0 / third) / double{camera.far});
         if (pixel_depth > 1.0F || pixel_depth >= depth.at(x, y)) continue;
         depth.at(x, y) = pixel_depth;
         object_id.at(x, y) = static_cast<float>(id);

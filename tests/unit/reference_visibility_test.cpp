@@ -33,6 +33,19 @@ TEST(ReferenceProjection, line_through_the_eye_plane_is_cut_at_the_near_plane) {
   EXPECT_GT(lines[0].back().x, 100.0);
 }
 
+TEST(ReferenceProjection, orthographic_lines_keep_size_and_distance) {
+  CameraParams camera{.eye = {3, 0, 4}, .far = 1000};
+  camera.projection = CameraProjection::orthographic;
+  camera.view_height = 4;
+  const Projection projection(camera, 200, 100, glm::mat4(1.0F));
+  // Forward (-0.6, 0, -0.8), right (0.8, 0, -0.6); 25 px each unit.
+  const std::vector<glm::dvec3> line{{0, 1, 0}, {0.8 - 1.2, -1, -0.6 - 1.6}};
+  const std::vector<ProjectedLine> lines = projection.project(line);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NEAR(glm::length(lines[0][0] - glm::dvec3(100, 25, 5)), 0.0, 1e-4);
+  EXPECT_NEAR(glm::length(lines[0][1] - glm::dvec3(125, 75, 7)), 0.0, 1e-4);
+}
+
 TEST(ReferenceProjection, lines_outside_are_dropped) {
   const Projection projection(CameraParams{}, 200, 200, glm::mat4(1.0F));
   const auto count = [&](const std::vector<glm::dvec3>& line) { return projection.project(line).size(); };
@@ -78,10 +91,23 @@ TEST(ReferenceVisibility, inverse_depth_is_linear_in_the_image) {
 
 TEST(ReferenceVisibility, slack_is_one_thousandth_of_inverse_depth) {
   Image depth(9, 9, 1, 0.5F);  // far 20: z = 10
-  const DepthTest test(depth, 20.0);
+  const DepthTest test(depth, CameraParams{});
   EXPECT_TRUE(test.is_visible({4.5, 4.5, 0.1 * 0.9991}));
   EXPECT_FALSE(test.is_visible({4.5, 4.5, 0.1 * 0.9989}));
   EXPECT_TRUE(test.is_visible({4.5, 4.5, 1.0}));
+}
+
+TEST(ReferenceVisibility, slack_is_one_thousandth_of_the_height_of_an_orthographic_view) {
+  Image depth(9, 9, 1, 0.5F);
+  CameraParams camera;  // far 20: z = 10
+  camera.projection = CameraProjection::orthographic;
+  for (const double height : {0.5, 40.0}) {
+    camera.view_height = static_cast<float>(height);
+    const DepthTest test(depth, camera);
+    EXPECT_TRUE(test.is_visible({4.5, 4.5, 10.0 + 0.00099 * height}));
+    EXPECT_FALSE(test.is_visible({4.5, 4.5, 10.0 + 0.00101 * height}));
+    EXPECT_TRUE(test.is_visible({4.5, 4.5, 0.1}));
+  }
 }
 
 TEST(ReferenceVisibility, farthest_of_nine_pixels_decides) {
@@ -90,14 +116,14 @@ TEST(ReferenceVisibility, farthest_of_nine_pixels_decides) {
       Image depth(9, 9, 1, 0.25F);
       depth.at(4 + dx, 4 + dy) = 0.5F;
       const bool beside = std::abs(dx) <= 1 && std::abs(dy) <= 1;
-      EXPECT_EQ(DepthTest(depth, 20.0).is_visible({4.01, 4.99, 0.1}), beside) << dx << ", " << dy;
+      EXPECT_EQ(DepthTest(depth, CameraParams{}).is_visible({4.01, 4.99, 0.1}), beside) << dx << ", " << dy;
     }
   }
 }
 
 TEST(ReferenceVisibility, image_corners_are_tested_with_what_there_is) {
   Image depth(4, 4, 1, 0.25F);
-  const DepthTest test(depth, 20.0);
+  const DepthTest test(depth, CameraParams{});
   for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(4, 4), glm::dvec2(4, 0)}) {
     EXPECT_FALSE(test.is_visible({corner, 0.19}));
     EXPECT_TRUE(test.is_visible({corner, 0.2}));
@@ -116,18 +142,18 @@ Image wall(int from, int to) {
 TEST(ReferenceVisibility, hidden_middle_splits_a_line) {
   const Image depth = wall(40, 60);
   const std::vector<ProjectedLine> pieces =
-      visible_pieces({{10, 10, 0.1}, {90, 10, 0.1}}, DepthTest(depth, 20.0));
+      visible_pieces({{10, 10, 0.1}, {90, 10, 0.1}}, DepthTest(depth, CameraParams{}));
   ASSERT_EQ(pieces.size(), 2U);
   EXPECT_EQ(pieces[0].front().x, 10.0);
   EXPECT_NEAR(pieces[0].back().x, 40.5, 0.51);  // one pixel into the wall's border
   EXPECT_NEAR(pieces[1].front().x, 59.5, 0.51);
   EXPECT_EQ(pieces[1].back().x, 90.0);
-  EXPECT_EQ(visible_pieces({{10, 10, 0.25}, {90, 10, 0.25}}, DepthTest(depth, 20.0)).size(), 1U);
+  EXPECT_EQ(visible_pieces({{10, 10, 0.25}, {90, 10, 0.25}}, DepthTest(depth, CameraParams{})).size(), 1U);
 }
 
 TEST(ReferenceVisibility, pieces_under_three_pixels_are_dropped) {
   const Image depth(20, 20, 1, 1.0F);
-  const DepthTest test(depth, 20.0);
+  const DepthTest test(depth, CameraParams{});
   EXPECT_TRUE(visible_pieces({{5, 5, 0.1}, {7.99, 5, 0.1}}, test).empty());
   EXPECT_EQ(visible_pieces({{5, 5, 0.1}, {8, 5, 0.1}}, test).size(), 1U);
 }
@@ -135,11 +161,11 @@ TEST(ReferenceVisibility, pieces_under_three_pixels_are_dropped) {
 TEST(ReferenceVisibility, closed_line_stays_closed_or_runs_across_its_start) {
   const ProjectedLine ring{{20, 5, 0.1}, {80, 5, 0.1}, {80, 15, 0.1}, {20, 15, 0.1}, {20, 5, 0.1}};
   const Image open(100, 20, 1, 1.0F);
-  const std::vector<ProjectedLine> whole = visible_pieces(ring, DepthTest(open, 20.0));
+  const std::vector<ProjectedLine> whole = visible_pieces(ring, DepthTest(open, CameraParams{}));
   ASSERT_EQ(whole.size(), 1U);
   EXPECT_EQ(whole[0], ring);
   const Image half = wall(50, 100);
-  const std::vector<ProjectedLine> cut = visible_pieces(ring, DepthTest(half, 20.0));
+  const std::vector<ProjectedLine> cut = visible_pieces(ring, DepthTest(half, CameraParams{}));
   ASSERT_EQ(cut.size(), 1U);
   EXPECT_EQ(cut[0].size(), 4U);
   EXPECT_NEAR(cut[0].front().y, 15.0, 1e-9);

@@ -74,6 +74,27 @@ TEST(ImportedSettings, the_files_camera_is_taken_and_its_planes_enclose_the_scen
   EXPECT_GT(camera.far, 34.0F);
 }
 
+TEST(ImportedSettings, the_files_orthographic_camera_is_taken) {
+  ImportedScene scene = two_triangles();
+  scene.cameras = {{"a", {0, 0, 30}, {0, 0, -2}, {0, 3, 0}, 0.0, 2.0, 12.0}};
+  const CameraParams camera = settings_of(scene).camera;
+  EXPECT_EQ(camera.projection, CameraProjection::orthographic);
+  EXPECT_EQ(camera.view_height, 12.0F);
+  EXPECT_LT(camera.near, 30.0F);
+  EXPECT_GT(camera.far, 34.0F);
+  expect_in_sight(settings_of(scene), scene);
+}
+
+TEST(ImportedSettings, scenes_of_any_size_have_cameras_within_the_limits) {
+  for (const double size : {1e-4, 1.0, 2e5}) {
+    ImportedScene scene;
+    scene.parts = {triangle_at("a", glm::dvec3(0.0), size)};
+    Settings settings = settings_of(scene);
+    for (const Param& param : list_params(settings)) EXPECT_NO_THROW(param.set(param.value(), "test"));
+    expect_in_sight(settings, scene);
+  }
+}
+
 TEST(ImportedSettings, a_camera_that_is_none_is_passed_over) {
   ImportedScene scene = two_triangles();
   scene.cameras = {{"a", {NAN, 0, 0}}, {"b", {0, 0, 30}, {0, 0, 0}}};

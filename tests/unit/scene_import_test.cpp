@@ -126,6 +126,22 @@ TEST_F(SceneImport, a_material_colours_its_part_as_it_is_displayed) {
   EXPECT_NEAR(colour.z, 0.0, 1e-6);
 }
 
+/// A triangle, and what else the file's library and scene hold.
+std::string collada(const std::string& library, const std::string& nodes) {
+  return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+      <asset><up_axis>Y_UP</up_axis></asset>)" +
+         library + R"(<library_geometries><geometry id="g"><mesh><source id="p">
+      <float_array id="pa" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>
+      <accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+      <param name="Z" type="float"/></accessor></technique_common></source><vertices id="v">
+      <input semantic="POSITION" source="#p"/></vertices><triangles count="1">
+      <input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry>
+      </library_geometries><library_visual_scenes><visual_scene id="s">
+      <node id="n"><instance_geometry url="#g"/></node>)" +
+         nodes +
+         R"(</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+}
+
 TEST_F(SceneImport, cameras_look_from_their_nodes) {
   const auto scene = import(
       {.nodes =
@@ -139,6 +155,41 @@ TEST_F(SceneImport, cameras_look_from_their_nodes) {
   EXPECT_NEAR(glm::length(glm::normalize(camera.direction) - glm::dvec3(0, 0, 1)), 0.0, 1e-6);
   EXPECT_NEAR(camera.horizontal_fov_deg, 45.0, 1e-4);
   EXPECT_EQ(camera.aspect, 1.0);
+}
+
+TEST_F(SceneImport, an_orthographic_camera_shows_what_it_did) {
+  // ymag is half of the height; a node's scale is none of the camera's.
+  const auto scene = import(
+      {.nodes = R"({"mesh": 0}, {"name": "eye", "camera": 0, "translation": [1, 2, 3], "scale": [5, 5, 5]})",
+       .scene_nodes = "0, 1",
+       .more = R"(, "cameras": [{"type": "orthographic",
+                  "orthographic": {"xmag": 3, "ymag": 2, "zfar": 100, "znear": 0.1}}])"});
+  ASSERT_EQ(scene->cameras.size(), 1U);
+  const ImportedCamera& camera = scene->cameras[0];
+  EXPECT_NEAR(glm::length(camera.eye - glm::dvec3(1, 2, 3)), 0.0, 1e-6);
+  EXPECT_NEAR(glm::length(glm::normalize(camera.direction) - glm::dvec3(0, 0, -1)), 0.0, 1e-6);
+  EXPECT_NEAR(camera.view_height, 4.0, 1e-6);
+  EXPECT_THAT(scene->view_notes, IsEmpty());
+}
+
+TEST_F(SceneImport, a_collada_files_orthographic_camera_is_left_out_and_told) {
+  // Assimp takes its size for an angle.
+  const std::string camera =
+      R"(<library_cameras><camera id="cam" name="cam"><optics><technique_common><orthographic>
+      <xmag>1.5</xmag><aspect_ratio>1</aspect_ratio><znear>1</znear><zfar>9</zfar></orthographic>
+      </technique_common></optics></camera></library_cameras>)";
+  const auto scene =
+      import_scene(write("c.dae", collada(camera, R"(<node><instance_camera url="#cam"/></node>)")));
+  EXPECT_THAT(scene->cameras, IsEmpty());
+  EXPECT_THAT(scene->view_notes, ElementsAre(HasSubstr("Left out the cameras")));
+  EXPECT_EQ(scene->parts.size(), 1U);
+  // And nothing is known of one without a name.
+  std::string nameless = camera;
+  nameless.erase(nameless.find(" name="), std::string(" name=\"cam\"").size());
+  const auto other =
+      import_scene(write("d.dae", collada(nameless, R"(<node id="c"><instance_camera url="#cam"/></node>)")));
+  EXPECT_THAT(other->cameras, IsEmpty());
+  EXPECT_THAT(other->view_notes, ElementsAre(HasSubstr("Left out the camera 'c'")));
 }
 
 TEST_F(SceneImport, lights_have_place_or_direction) {
@@ -184,6 +235,17 @@ TEST_F(SceneImport, a_scene_far_away_or_very_large_or_small_comes_into_reach) {
     EXPECT_EQ(scene->notes.size(), 1U);
     fs::remove(folder_.path() / "square.gltf");
   }
+}
+
+TEST_F(SceneImport, a_scene_that_places_in_settings_hold_stays_as_large_as_it_is) {
+  const auto scene = import({.nodes = R"({"mesh": 0, "scale": [1e5, 1e5, 1e5]})"});
+  EXPECT_NEAR(box_of(*scene).high.x, 1e5, 1.0);
+  EXPECT_THAT(scene->notes, IsEmpty());
+  fs::remove(folder_.path() / "square.gltf");
+  const auto far =
+      import({.nodes = R"({"mesh": 0, "translation": [900000, 0, 0], "scale": [1e5, 1e5, 1e5]})"});
+  EXPECT_LT(glm::length(box_of(*far).middle()), 1.0);
+  EXPECT_EQ(far->notes.size(), 1U);
 }
 
 TEST_F(SceneImport, a_file_is_read_again_when_it_or_its_buffer_changes) {
@@ -277,7 +339,7 @@ TEST(SceneTransfer, what_is_sent_arrives) {
   soup.empty_polygons = 5;
   soup.notes = {"note"};
   scene.parts = {{"part", soup, {0.1F, 0.2F, 0.3F}}};
-  scene.cameras = {{"camera", {1, 2, 3}, {0, 1, 0}, {1, 0, 0}, 30.0, 1.5}};
+  scene.cameras = {{"camera", {1, 2, 3}, {0, 1, 0}, {1, 0, 0}, 30.0, 1.5, 7.0}};
   scene.lights = {{"light", ImportedLightType::point, {7, 8, 9}, {0, 0, 1}, {3, 2, 1}}};
   scene.notes = {"moved"};
   scene.view_notes = {"left out"};
@@ -298,6 +360,7 @@ TEST(SceneTransfer, what_is_sent_arrives) {
   EXPECT_EQ(back.parts[0].soup.empty_polygons, 5U);
   EXPECT_EQ(back.parts[0].soup.notes, soup.notes);
   EXPECT_EQ(back.cameras[0].horizontal_fov_deg, 30.0);
+  EXPECT_EQ(back.cameras[0].view_height, 7.0);
   EXPECT_EQ(back.lights[0].type, ImportedLightType::point);
   EXPECT_EQ(back.lights[0].intensity, glm::dvec3(3, 2, 1));
   EXPECT_EQ(back.view_notes, scene.view_notes);

@@ -82,7 +82,7 @@ TEST_F(ValueText, every_parameters_default_reads_back_from_its_text) {
 
 TEST_F(ValueText, random_numbers_read_back_exactly) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<float> position(-1e4F, 1e4F);
+  std::uniform_real_distribution<float> position(-1e6F, 1e6F);
   for (int i = 0; i < 2000; ++i) {
     const glm::vec3 value(position(random), position(random), position(random));
     EXPECT_EQ(set("camera.eye", to_text(Value(value))), Value(value));
@@ -156,7 +156,7 @@ TEST_F(ValueText, a_vector_is_three_numbers_or_one_for_all) {
   for (const char* text :
        {"[1, 2]", "[1, 2, 3, 4]", "1, 2", "[1, 2, \"3\"]", "[[1, 2, 3]]", "[]", "", "one", "[1, 2, true]"}) {
     EXPECT_THAT(set_error("camera.eye", text),
-                HasSubstr("three numbers [x, y, z], each from -10000 to 10000 world units"))
+                HasSubstr("three numbers [x, y, z], each from -1000000 to 1000000 world units"))
         << text;
   }
 }
@@ -175,7 +175,8 @@ TEST_F(ValueText, components_are_set_one_by_one) {
   set("ink.colour.g", "0.5");
   EXPECT_EQ(settings_.ink.colour, glm::vec3(0, 0.5F, 0));
   EXPECT_THAT(set_error("ink.colour.r", "1.5"), HasSubstr("out of range"));
-  EXPECT_THAT(set_error("camera.eye.x", "[1, 2, 3]"), HasSubstr("a number from -10000 to 10000 world units"));
+  EXPECT_THAT(set_error("camera.eye.x", "[1, 2, 3]"),
+              HasSubstr("a number from -1000000 to 1000000 world units"));
 }
 
 TEST_F(ValueText, colours_read_web_notation) {

@@ -48,12 +48,20 @@ glm::vec3 point_under(const CameraParams& camera, const glm::vec2& cursor_px) {
   return glm::vec3(point) / point.w;
 }
 
-/// Cameras that are easy to get wrong: tilted up, up along z, from below.
+CameraParams orthographic_camera() {
+  CameraParams camera{.eye = {-3, 2, 5}, .target = {0, 0.5F, 0}, .up = {0, 1, 0.1F}};
+  camera.projection = CameraProjection::orthographic;
+  camera.view_height = 3.5F;
+  return camera;
+}
+
+/// Cameras that are easy to get wrong: tilted up, up along z, from below; and an orthographic one.
 std::vector<CameraParams> cameras() {
   return {paper_camera(),
           {.eye = {3, 1, -2}, .target = {0.5F, 0, 0}, .up = {0.3F, 1, -0.2F}},
           {.eye = {0, -6, -3}, .up = {0, 0, 1}, .fov = 70},
-          {.eye = {4, 0, 0}, .up = {0, -1, 0}, .fov = 20}};
+          {.eye = {4, 0, 0}, .up = {0, -1, 0}, .fov = 20},
+          orthographic_camera()};
 }
 
 TEST(Orbit, keeps_target_distance_and_up) {
@@ -169,6 +177,44 @@ TEST(DollyAt, keeps_what_is_under_the_cursor_there) {
   }
 }
 
+TEST(DollyAt, an_orthographic_view_shows_less_and_its_eye_keeps_its_distance) {
+  const CameraParams camera = orthographic_camera();
+  const CameraParams moved = dolly_at(camera, 3, {100, 400}, kSize);
+  EXPECT_NEAR(moved.view_height, camera.view_height * std::pow(0.9F, 3), 1e-5F);
+  expect_near(moved.eye - moved.target, camera.eye - camera.target);
+  EXPECT_EQ(dolly(camera, 3).eye, camera.eye);
+}
+
+TEST(WithProjection, what_is_at_the_target_keeps_place_and_size) {
+  for (const CameraParams& camera : cameras()) {
+    const auto other =
+        is_orthographic(camera) ? CameraProjection::perspective : CameraProjection::orthographic;
+    const CameraParams turned = with_projection(camera, other);
+    EXPECT_EQ(turned.projection, other);
+    EXPECT_EQ(turned.target, camera.target);
+    for (const glm::vec2 cursor : {glm::vec2(320, 240), glm::vec2(10, 470), glm::vec2(600, 30)}) {
+      const glm::vec3 point = point_under(camera, cursor);
+      EXPECT_NEAR(pixel_of(turned, point).x, cursor.x, 0.01F);
+      EXPECT_NEAR(pixel_of(turned, point).y, cursor.y, 0.01F);
+    }
+    const CameraParams back = with_projection(turned, camera.projection);
+    EXPECT_EQ(back.projection, camera.projection);
+    expect_near(back.eye - back.target, turned.eye - turned.target);
+    EXPECT_NO_THROW(check_camera(turned));
+  }
+}
+
+TEST(WithProjection, a_perspective_view_that_shows_much_or_little_keeps_the_target_between_its_planes) {
+  for (const float height : {1e-3F, 1e3F}) {
+    CameraParams camera = orthographic_camera();
+    camera.view_height = height;
+    const CameraParams turned = with_projection(camera, CameraProjection::perspective);
+    EXPECT_NEAR(seen_height(turned, distance_of(turned)) / height, 1.0, 1e-3);
+    EXPECT_LT(turned.near, distance_of(turned));
+    EXPECT_GT(turned.far, distance_of(turned));
+  }
+}
+
 TEST(LookAround, turns_about_the_eye) {
   const CameraParams camera;
   const CameraParams right = look_around(camera, 90, 0);
@@ -239,11 +285,26 @@ TEST(KeepInRange, widens_only_the_end_that_cuts) {
   EXPECT_NO_THROW(check_camera(keep_in_range(camera, {glm::vec3(-500), glm::vec3(500)})));
 }
 
+TEST(KeepInRange, an_orthographic_eye_steps_back_until_the_box_is_before_it) {
+  CameraParams camera{.eye = {0, 0, 5}, .near = 1, .far = 10};
+  camera.projection = CameraProjection::orthographic;
+  const CameraParams kept = keep_in_range(camera, {glm::vec3(-1), glm::vec3(1, 1, 20)});
+  expect_near(kept.eye, {0, 0, 22});
+  EXPECT_EQ(kept.near, 1.0F);
+  EXPECT_FLOAT_EQ(kept.far, 26);  // 23 and a tenth, up to two digits
+  EXPECT_EQ(kept.view_height, camera.view_height);
+}
+
 TEST(CameraControl, never_leaves_the_parameters_limits) {
   CameraParams camera = paper_camera();
-  camera.far = 1e5F;
+  camera.far = 1e6F;
+  CameraParams orthographic = orthographic_camera();
+  orthographic.view_height = 1e6F;
   for (const CameraParams& moved :
        {pan(camera, {0, 0}, {1e9F, 0}, kSize), dolly(camera, -1e6), dolly_at(camera, -1e6, {1e6F, 0}, kSize),
+        dolly(orthographic, -1), dolly(orthographic, 1e6),
+        with_projection(orthographic, CameraProjection::perspective),
+        fit_to_bounds(orthographic, {glm::vec3(-1e8F), glm::vec3(1e8F)}, kSize),
         fit_to_bounds(camera, {glm::vec3(-1e8F), glm::vec3(1e8F)}, kSize), orbit(camera, std::nan(""), 0),
         pan(camera, {0, 0}, {std::nanf(""), 0}, kSize), pan(camera, {0, 0}, {5, 5}, {0, 0})}) {
     Settings settings = paper_settings();

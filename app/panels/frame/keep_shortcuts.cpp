@@ -48,6 +48,10 @@ bool KeepShortcuts::view_keys(bool control, bool shift) {
     view_.wireframe = !view_.wireframe;
     return true;
   }
+  if (!control && letter_pressed('x')) {
+    toggle_projection(document_, pictures_, problems_);
+    return true;
+  }
   for (int key = 1; key <= 9; ++key) {
     if (!ImGui::IsKeyPressed(GLFW_KEY_0 + key, false) || control == shift) continue;
     control ? keep_view(document_, keeping_, problems_, key)

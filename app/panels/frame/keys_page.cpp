@@ -47,6 +47,7 @@ constexpr std::array kCamera{
     Entry{"Alt+drag", "turn about the target"},
     Entry{"Alt+Shift+drag", "move along the picture"},
     Entry{"Alt+wheel", "nearer, farther"},
+    Entry{"X", "orthographic, or perspective again"},
     Entry{"O, V", "the mouse for the camera; for the view"},
     Entry{"Ctrl+1 to 9", "keep the camera"},
     Entry{"Shift+1 to 9", "back to a kept camera"},

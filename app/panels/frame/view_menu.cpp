@@ -26,6 +26,8 @@ void ViewMenu::draw() {
   if (menu_item(ui_map_, "Pin this state", "P")) pin_state(viewer_, view_);
   if (menu_item(ui_map_, "Compare", "C", view_.comparison.active)) toggle_comparison(viewer_.pictures, view_);
   if (menu_item(ui_map_, "Wireframe", "W", view_.wireframe)) view_.wireframe = !view_.wireframe;
+  if (menu_item(ui_map_, "Orthographic", "X", is_orthographic(document_.settings().camera)))
+    toggle_projection(document_, viewer_.pictures, problems_);
   if (menu_item(ui_map_, "Fit the scene", "Home"))
     fit_view(document_, viewer_.pictures, problems_, FitTo::scene);
   ImGui::Separator();

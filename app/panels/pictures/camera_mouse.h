@@ -8,7 +8,8 @@
 namespace inkbench {
 
 /// For the last ImGui item, a picture's tile. With Alt, or with the camera tool: left drag orbits about the
-/// target, middle drag or Shift and left drag pans, right drag or the wheel moves nearer or farther. Returns
+/// target, middle drag or Shift and left drag pans, right drag or the wheel moves nearer or farther, in
+/// orthographic views it shows less or more. Returns
 /// whether the mouse is the camera's now, so that it does not move the view.
 bool camera_mouse(Document& document, ViewState& view, const TileFrame& frame);
 

@@ -70,6 +70,10 @@ void draw_directions(Document& document, Pictures& pictures, Problems& problems,
   if (ImGui::Button("Fit the model", {half, 0})) fit_view(document, pictures, problems, FitTo::model);
   ui_map.mark_item("view:fit model");
   help_for_item("The same for the main model, the first one that is a mesh (Shift+Home).");
+  bool orthographic = is_orthographic(document.settings().camera);
+  if (ImGui::Checkbox("Orthographic", &orthographic)) toggle_projection(document, pictures, problems);
+  ui_map.mark_item("view:orthographic");
+  help_for_item("Parallel lines of sight; what is at the target keeps its size (X).");
 }
 
 void draw_key(int key, ImVec2 low, float size) {
@@ -102,6 +106,21 @@ void recall_view(Document& document, Keeping& keeping, Problems& problems, int k
     if (bookmark.key == key) return recall(document, CameraBookmark(bookmark));
   }
   problems.tell(Severity::note, fmt::format("no camera has the key {0}; Ctrl+{0} keeps this one", key));
+}
+
+void toggle_projection(Document& document, Pictures& pictures, Problems& problems) {
+  const CameraParams& camera = document.settings().camera;
+  try {
+    if (is_orthographic(camera)) {
+      const CameraParams moved = with_projection(camera, CameraProjection::perspective);
+      return set_camera(document, moved, "perspective view");
+    }
+    const Bounds bounds = bounds_in_world(pictures.pipeline().at(document.settings()), false);
+    const CameraParams moved = with_projection(camera, CameraProjection::orthographic);
+    set_camera(document, keep_in_range(moved, bounds), "orthographic view");
+  } catch (const Error& error) {
+    problems.set(ProblemKind::drawing, error.what());
+  }
 }
 
 void fit_view(Document& document, Pictures& pictures, Problems& problems, FitTo what) {

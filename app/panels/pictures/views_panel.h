@@ -42,6 +42,9 @@ void keep_view(const Document& document, Keeping& keeping, Problems& problems, i
 /// Back to the camera that has the digit; where none has, the log says so.
 void recall_view(Document& document, Keeping& keeping, Problems& problems, int key);
 
+/// From perspective to orthographic or back: what is at the target keeps its size.
+void toggle_projection(Document& document, Pictures& pictures, Problems& problems);
+
 /// The camera farther or nearer so that all visible models, or the main one, fill the picture.
 enum class FitTo { scene, model };
 void fit_view(Document& document, Pictures& pictures, Problems& problems, FitTo what);

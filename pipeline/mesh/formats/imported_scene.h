@@ -25,7 +25,8 @@ struct ImportedCamera {
   glm::dvec3 direction{0.0, 0.0, -1.0};  ///< Of the view, of any length.
   glm::dvec3 up{0.0, 1.0, 0.0};
   double horizontal_fov_deg = 0.0;
-  double aspect = 0.0;  ///< Width by height; 0 where the file does not say.
+  double aspect = 0.0;       ///< Width by height; 0 where the file does not say.
+  double view_height = 0.0;  ///< Of what an orthographic camera shows; 0 of a perspective one.
 };
 
 enum class ImportedLightType { directional, point };

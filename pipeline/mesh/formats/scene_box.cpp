@@ -10,9 +10,10 @@
 namespace inkbench {
 namespace {
 
-constexpr double kSmallest = 0.01;
-constexpr double kLargest = 2000.0;
+constexpr double kSmallest = 1e-4;
+constexpr double kLargest = 2e5;
 constexpr double kFarInSizes = 100.0;
+constexpr double kFarthest = 5e5;  ///< Beyond, cameras would leave the limits of their parameters.
 
 bool is_finite_point(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -27,7 +28,10 @@ void move_and_scale(ImportedScene& scene, const glm::dvec3& middle, double scale
   for (ImportedPart& part : scene.parts) {
     for (glm::dvec3& point : part.soup.points) point = (point - middle) * scale;
   }
-  for (ImportedCamera& camera : scene.cameras) camera.eye = (camera.eye - middle) * scale;
+  for (ImportedCamera& camera : scene.cameras) {
+    camera.eye = (camera.eye - middle) * scale;
+    camera.view_height *= scale;
+  }
   for (ImportedLight& light : scene.lights) {
     light.position = (light.position - middle) * scale;
     if (light.type == ImportedLightType::point) light.intensity *= scale * scale;
@@ -57,9 +61,10 @@ SceneBox box_of(const ImportedScene& scene) {
 void bring_into_reach(ImportedScene& scene) {
   const SceneBox box = box_of(scene);
   const double size = 2.0 * box.radius();
-  const bool is_far = size > 0.0 && glm::length(box.middle()) > kFarInSizes * size;
-  const glm::dvec3 middle = is_far ? box.middle() : glm::dvec3(0.0);
+  const double distance = glm::length(box.middle());
   const double scale = scale_for(size);
+  const bool is_far = size > 0.0 && (distance > kFarInSizes * size || distance * scale > kFarthest);
+  const glm::dvec3 middle = is_far ? box.middle() : glm::dvec3(0.0);
   if (!is_far && scale == 1.0) return;
   move_and_scale(scene, middle, scale);
   if (is_far) {

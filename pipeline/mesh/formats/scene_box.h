@@ -20,9 +20,9 @@ struct SceneBox {
 /// Around all points that faces use and that are finite; without any, the origin.
 SceneBox box_of(const ImportedScene& scene);
 
-/// Moves the scene's middle to the origin where it is more than a hundred times its size away, and scales it
-/// by a power of ten, to a size of 1 to 10, where it is smaller than 0.01 or larger than 2,000; each with a
-/// note. Cameras and lights follow.
+/// Moves the scene's middle to the origin where it is more than a hundred times its size or 500,000 away, and
+/// scales it by a power of ten, to a size of 1 to 10, where it is smaller than 0.0001 or larger than 200,000;
+/// each with a note. Cameras and lights follow.
 void bring_into_reach(ImportedScene& scene);
 
 }  // namespace inkbench

@@ -32,6 +32,7 @@ void pass_camera(Stream& stream, Camera& camera) {
   stream.value(camera.up);
   stream.value(camera.horizontal_fov_deg);
   stream.value(camera.aspect);
+  stream.value(camera.view_height);
 }
 
 template <class Stream, class Light>

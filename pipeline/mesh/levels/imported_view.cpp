@@ -13,7 +13,7 @@ namespace {
 constexpr double kDefaultFovDeg = 38.0;
 constexpr double kNearestShare = 1e-3;  ///< Of the far plane's distance, to spare depth its precision.
 constexpr double kRoom = 1.05;          ///< Around what is in sight.
-constexpr double kFarthest = 1e4;       ///< The limit of places in settings.
+constexpr double kFarthest = 1e6;       ///< The limit of places in settings.
 const glm::dvec3 kFromFront(0.45, 0.4, 1.0);
 
 bool is_finite(const glm::dvec3& v) {
@@ -29,6 +29,11 @@ double vertical_fov_deg(const ImportedCamera& camera, double image_aspect) {
   const double half = std::tan(glm::radians(camera.horizontal_fov_deg) / 2.0) / aspect;
   const double fov = glm::degrees(2.0 * std::atan(half));
   return fov > 0.0 && std::isfinite(fov) ? std::clamp(fov, 0.01, 170.0) : kDefaultFovDeg;
+}
+
+/// Within the parameter's limits.
+float view_height_param(double height) {
+  return static_cast<float>(std::clamp(height, 1e-6, 1e6));
 }
 
 /// A direction that is not along `forward`, `wanted` if that is none.
@@ -58,9 +63,9 @@ void enclose(const SceneBox& box, CameraParams& camera) {
     farthest = std::max(farthest, depth);
   }
   if (!(farthest > 0.0)) farthest = glm::length(box.middle() - eye) + box.radius();  // it looks away
-  camera.far = static_cast<float>(std::clamp(farthest * kRoom, 1e-3, 1e5));
+  camera.far = static_cast<float>(std::clamp(farthest * kRoom, 1e-5, 1e6));
   camera.near = static_cast<float>(
-      std::clamp<double>(nearest / kRoom, std::max(1e-4, camera.far * kNearestShare), camera.far / 2));
+      std::clamp<double>(nearest / kRoom, std::max(1e-6, camera.far * kNearestShare), camera.far / 2));
 }
 
 CameraParams camera_of_file(const ImportedCamera& imported, const SceneBox& box, double aspect) {
@@ -69,9 +74,12 @@ CameraParams camera_of_file(const ImportedCamera& imported, const SceneBox& box,
   // Turning about the target in the window turns about the middle of what is seen.
   const double depth = glm::dot(box.middle() - imported.eye, forward);
   camera.eye = imported.eye;
-  camera.target = imported.eye + forward * (depth > 0.0 ? depth : std::max(box.radius(), 1e-3));
+  camera.target = imported.eye + forward * (depth > 0.0 ? depth : box.radius() > 0.0 ? box.radius() : 1.0);
   camera.up = up_beside(forward, imported.up);
   camera.fov = static_cast<float>(vertical_fov_deg(imported, aspect));
+  if (!(imported.view_height > 0.0)) return camera;
+  camera.projection = CameraProjection::orthographic;
+  camera.view_height = view_height_param(imported.view_height);
   return camera;
 }
 
@@ -135,6 +143,10 @@ CameraParams imported_camera(const ImportedScene& scene, const SceneBox& box, do
   CameraParams camera =
       found != scene.cameras.end() ? camera_of_file(*found, box, aspect) : camera_in_front(box, aspect);
   enclose(box, camera);
+  if (is_orthographic(camera)) return camera;
+  // So that it shows as much at the target when it is made orthographic.
+  const double seen = seen_height(camera, glm::length(glm::dvec3(camera.target) - glm::dvec3(camera.eye)));
+  camera.view_height = view_height_param(seen);
   return camera;
 }
 

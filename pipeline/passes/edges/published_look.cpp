@@ -19,7 +19,7 @@ PublishedLookPass::PublishedLookPass(const GeneratedSources& generated)
                generated) {}
 
 Texture PublishedLookPass::run(EdgeMethod method, const Texture& detection) const {
-  Texture ink("published look", TextureFormat::rg32f, detection.width_px(), detection.height_px());
+  Texture ink("published look", TextureFormat::rg8, detection.width_px(), detection.height_px());
   EdgesParams params;
   params.method = method;
   const Buffer edges = block_buffer(params);

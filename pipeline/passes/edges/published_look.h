@@ -13,7 +13,7 @@ class PublishedLookPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit PublishedLookPass(const GeneratedSources& generated);
-  /// Out: rg32f: coverage 0 to 1, which is half at the detection's limit; class.
+  /// Out: rg8: coverage 0 to 1, which is half at the detection's limit; class / 255.
   Texture run(EdgeMethod method, const Texture& detection) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }

@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
@@ -15,17 +12,10 @@ namespace inkbench {
 
 bool is_beyond_far(const DrawItem& item, const CameraParams& camera) {
   const Bounds box = bounds_in_world(item);
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.eye));
-  double nearest = 0.0;  // the box's corner that lies least far along the view
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = box.low[axis] - camera.eye[axis], high = box.high[axis] - camera.eye[axis];
-    nearest += std::min(low * forward[axis], high * forward[axis]);
-  }
-  const double away = distance_outside(box, camera.eye);
-  const double slope = std::tan(glm::radians(static_cast<double>(camera.fov)) / 2.0);
   constexpr double kAspect = 2.0;
-  return nearest > camera.far ||
-         away > camera.far * std::sqrt(1.0 + slope * slope * (1.0 + kAspect * kAspect));
+  const double half_height = seen_height(camera, camera.far) / 2.0;
+  const double far_corner = glm::length(glm::dvec3(kAspect * half_height, half_height, camera.far));
+  return nearest_along_view(box, camera) > camera.far || distance_outside(box, camera.eye) > far_corner;
 }
 
 void BeyondFarNotes::update(std::span<const DrawItem> items, const CameraParams& camera) {

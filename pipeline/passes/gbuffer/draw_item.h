@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pipeline/passes/gbuffer/gpu_mesh.h"
+#include "pipeline/settings/camera.h"
 
 namespace inkbench {
 
@@ -20,6 +21,9 @@ struct DrawItem {
 
 /// How far a point is outside a box; 0 within it.
 double distance_outside(const Bounds& box, const glm::vec3& point);
+
+/// The distance along the view axis of the box's corner that lies least far along it; below 0 behind the eye.
+double nearest_along_view(const Bounds& box, const CameraParams& camera);
 
 /// The box in world space around the box of the item's mesh.
 Bounds bounds_in_world(const DrawItem& item);

@@ -2,10 +2,9 @@
 #include "pipeline/passes/gbuffer/gbuffer.h"
 
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "pipeline/flow/describe_pass.h"
@@ -26,7 +25,8 @@ struct DrawBlock {
   float object_id;
   float far;
   float two_sided;
-  float padding;
+  float orthographic;
+  glm::vec4 model_to_distance;
 };
 
 /// surface_block of shaders/gbuffer.frag in std140.
@@ -38,16 +38,23 @@ struct SurfaceBlock {
 };
 
 /// Distance from the eye to the farthest point of the near plane that the image shows.
-float near_corner_distance(const CameraParams& camera, float aspect) {
-  const float half_height = std::tan(glm::radians(camera.fov) / 2.0F);
-  return camera.near * glm::length(glm::vec3(half_height * aspect, half_height, 1.0F));
+double near_corner_distance(const CameraParams& camera, double aspect) {
+  const double half_height = seen_height(camera, camera.near) / 2.0;
+  return glm::length(glm::dvec3(half_height * aspect, half_height, camera.near));
 }
 
 /// Whether the back faces are hidden for certain: the mesh is closed, and eye and near plane are outside its
 /// box. Then leaving them out changes no pixel and saves a third of the pass.
 bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float aspect) {
   if (!item.mesh->closed_outwards()) return false;
-  return distance_outside(bounds_in_world(item), camera.eye) > near_corner_distance(camera, aspect);
+  const Bounds box = bounds_in_world(item);
+  if (is_orthographic(camera)) return nearest_along_view(box, camera) > camera.near;
+  return distance_outside(box, camera.eye) > near_corner_distance(camera, aspect);
+}
+
+/// Of a point of the item's model, the distance along the view axis is its dot product with this.
+glm::vec4 model_to_distance(const glm::mat4& world_to_view, const DrawItem& item) {
+  return -glm::row(world_to_view * item.model_to_world, 2);
 }
 
 /// Does the settings' detector read the triangles' planes?
@@ -115,9 +122,10 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
   const Buffer lens = lens_buffer(lens_of(camera, height_px));
   for (const DrawItem& item : items) {
     const glm::mat4 normal_to_world(glm::transpose(glm::inverse(glm::mat3(item.model_to_world))));
-    const DrawBlock block{world_to_clip * item.model_to_world, normal_to_world,
-                          static_cast<float>(item.object_id),  camera.far,
-                          item.two_sided ? 1.0F : 0.0F,        0.0F};
+    const DrawBlock block{world_to_clip * item.model_to_world,   normal_to_world,
+                          static_cast<float>(item.object_id),    camera.far,
+                          item.two_sided ? 1.0F : 0.0F,          is_orthographic(camera) ? 1.0F : 0.0F,
+                          model_to_distance(world_to_view, item)};
     const Buffer uniforms("draw block", bytes_of(std::span(&block, 1)));
     const SurfaceBlock wanted{glm::mat4(glm::mat3(world_to_view)) * normal_to_world,
                               {0.5F * static_cast<float>(width_px), 0.5F * static_cast<float>(height_px)},

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/passes/gbuffer/lens_block.h"
 
-#include <cmath>
-#include <glm/trigonometric.hpp>
-
 namespace inkbench {
 
 LensBlock lens_of(const CameraParams& camera, int height_px) {
-  const float pixel_size = 2.0F * std::tan(glm::radians(camera.fov) / 2.0F) / static_cast<float>(height_px);
-  return {camera.far, pixel_size, 0, 0};
+  const auto size = static_cast<float>(pixel_size(camera, 1.0, height_px));
+  return {camera.far, size, is_orthographic(camera) ? 1 : 0, 0};
 }
 
 Buffer lens_buffer(const LensBlock& lens) {

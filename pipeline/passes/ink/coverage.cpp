@@ -6,27 +6,56 @@
 #include "pipeline/passes/ink/flood.h"
 
 namespace inkbench {
+namespace {
+
+template <int count>
+int fixed_samples(const Settings&) {
+  return count;
+}
+
+template <class Tag, auto kSamples>
+PassKind describe_coverage(std::string_view name, int cost) {
+  return describe_pass<Tag>(name, cost, {}, derived<kSamples>(LineParams::description), LensInput{},
+                            value_of<FloodPass>(), value_of<GBufferPass>());
+}
+
+}  // namespace
+
+Buffer coverage_buffer(const CoverageBlock& block) {
+  return {"coverage block", bytes_of(std::span<const CoverageBlock>(&block, 1))};
+}
+
+int drawn_samples(const Settings& settings) {
+  return settings.line.antialias ? 0 : 1;
+}
 
 const PassKind& CoveragePass::kind() {
-  static const PassKind kKind =
-      describe_pass<CoveragePass>("coverage", 4, {}, part<&Settings::line, &LineParams::antialias>(),
-                                  LensInput{}, value_of<FloodPass>(), value_of<GBufferPass>());
+  static const PassKind kKind = describe_coverage<CoveragePass, drawn_samples>("coverage", 4);
+  return kKind;
+}
+
+const PassKind& AliasedCoverage::kind() {
+  static const PassKind kKind = describe_coverage<AliasedCoverage, fixed_samples<1>>("aliased_coverage", 4);
+  return kKind;
+}
+
+const PassKind& SampledCoverage::kind() {
+  static const PassKind kKind = describe_coverage<SampledCoverage, fixed_samples<8>>("sampled_coverage", 60);
   return kKind;
 }
 
 CoveragePass::CoveragePass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "coverage.frag",
-               {.samplers = {"seed_map", "normal_and_depth_map"},
-                .uniform_blocks = {block_of(LineParams::description()), kLensBlock}},
-               generated) {}
+    : program_(
+          "full_screen.vert", "coverage.frag",
+          {.samplers = {"seed_map", "normal_and_depth_map"}, .uniform_blocks = {kCoverageBlock, kLensBlock}},
+          generated) {}
 
-Texture CoveragePass::run(bool antialias, const LensBlock& lens, const Texture& nearest,
+Texture CoveragePass::run(int samples, const LensBlock& lens, const Texture& nearest,
                           const GBuffer& gbuffer) const {
-  Texture ink("coverage", TextureFormat::rg32f, nearest.width_px(), nearest.height_px());
-  LineParams params;
-  params.antialias = antialias;
-  const Buffer line = block_buffer(params), lens_uniforms = lens_buffer(lens);
-  draw_over(ink, program_, {&nearest, &gbuffer.normal_and_depth}, {&line, &lens_uniforms});
+  Texture ink("coverage", TextureFormat::rg8, nearest.width_px(), nearest.height_px());
+  const Buffer count = coverage_buffer({samples, 0, {}});
+  const Buffer lens_uniforms = lens_buffer(lens);
+  draw_over(ink, program_, {&nearest, &gbuffer.normal_and_depth}, {&count, &lens_uniforms});
   return ink;
 }
 

@@ -4,7 +4,7 @@
 #include "pipeline/flow/describe_choice.h"
 #include "pipeline/passes/edges/combine.h"
 #include "pipeline/passes/edges/published_look.h"
-#include "pipeline/passes/ink/coverage.h"
+#include "pipeline/passes/ink/narrow_coverage.h"
 
 namespace inkbench {
 namespace {
@@ -30,7 +30,7 @@ size_t DrawnInk::chosen(const Settings& settings) {
 }
 
 const PassKind& DrawnInk::kind() {
-  static const PassKind kKind = describe_choice<DrawnInk, CombinePass, PublishedLookPass, CoveragePass>(
+  static const PassKind kKind = describe_choice<DrawnInk, CombinePass, PublishedLookPass, LineCoverage>(
       "drawn_ink", EdgesParams::description().group, {});
   return kKind;
 }

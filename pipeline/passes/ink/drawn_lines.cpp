@@ -40,8 +40,7 @@ LinesPass::LinesPass(const GeneratedSources& generated)
                generated) {}
 
 Texture LinesPass::run(bool is_papers, const Texture& drawn) const {
-  const TextureFormat format = is_papers ? TextureFormat::rg8 : TextureFormat::rg32f;
-  Texture lines("lines", format, drawn.width_px(), drawn.height_px());
+  Texture lines("lines", TextureFormat::rg8, drawn.width_px(), drawn.height_px());
   const LinesBlock block{is_papers ? 1 : 0, {}};
   const Buffer uniforms("lines block", bytes_of(std::span<const LinesBlock>(&block, 1)));
   draw_over(lines, program_, {&drawn}, {&uniforms});

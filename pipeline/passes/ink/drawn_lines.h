@@ -13,8 +13,7 @@ class LinesPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit LinesPass(const GeneratedSources& generated);
-  /// Out: red: 1 where at least half of the pixel is ink, else 0; green: how much is. rg8 for the paper's
-  /// method, which knows all or nothing; else rg32f.
+  /// Out: red: 1 where at least half of the pixel is ink, else 0; green: how much is. rg8.
   Texture run(bool is_papers, const Texture& drawn) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }

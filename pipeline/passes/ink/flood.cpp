@@ -7,6 +7,7 @@
 #include "pipeline/flow/describe_pass.h"
 #include "pipeline/passes/edges/detection_pass.h"
 #include "pipeline/passes/gbuffer/visible_range.h"
+#include "pipeline/passes/ink/seeds.h"
 
 namespace inkbench {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
-#include "pipeline/passes/ink/seeds.h"
+#include "pipeline/passes/ink/line_widths.h"
 
 namespace inkbench {
 

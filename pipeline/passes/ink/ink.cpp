@@ -45,8 +45,11 @@ struct InkLookInput {
     const InkLook look = get(frame);
     key.add(group_text(look.ink));
     if (look.is_papers) return;
-    key.add(look.has_colours ? "colours" : "one colour");
-    for (const ClassLookParams& params : look.of_class) key.add(group_text(params));
+    for (ClassLookParams params : look.of_class) {
+      params.width = 0;  // decides where the ink is
+      if (!look.has_colours) params.colour = look.ink.colour;
+      key.add(group_text(params));
+    }
   }
 };
 

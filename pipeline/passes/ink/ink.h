@@ -15,7 +15,7 @@ struct InkLook {
   InkParams ink;
   bool is_papers = true;  ///< Then the rest has no effect.
   bool has_colours = false;
-  std::array<ClassLookParams, kEdgeClasses> of_class;
+  ClassLooks of_class;
 };
 
 class InkPass {

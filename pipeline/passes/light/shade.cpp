@@ -4,9 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -64,6 +61,8 @@ struct ShadeInput {
 struct ViewBlock {
   glm::vec3 eye;
   float far;
+  alignas(16) glm::vec3 eye_right;
+  alignas(16) glm::vec3 eye_up;
   alignas(16) glm::vec3 ray_corner;
   alignas(16) glm::vec3 ray_right;
   alignas(16) glm::vec3 ray_up;
@@ -75,17 +74,15 @@ struct ViewBlock {
 };
 
 ViewBlock make_view_block(const ShadeParams& params, float aspect) {
-  const CameraParams& camera = params.camera;
-  const glm::vec3 forward = glm::normalize(camera.target - camera.eye);
-  const glm::vec3 side = glm::normalize(glm::cross(forward, camera.up));
-  const glm::vec3 up = glm::cross(side, forward);
-  const float half_height = std::tan(glm::radians(camera.fov) / 2.0F);
+  const ViewRays rays = view_rays(params.camera, aspect);
   ViewBlock block{};
-  block.eye = camera.eye;
-  block.far = camera.far;
-  block.ray_right = side * (2.0F * half_height * aspect);
-  block.ray_up = up * (2.0F * half_height);
-  block.ray_corner = forward - (block.ray_right + block.ray_up) / 2.0F;
+  block.eye = rays.eye;
+  block.far = params.camera.far;
+  block.eye_right = rays.eye_right;
+  block.eye_up = rays.eye_up;
+  block.ray_corner = rays.ray;
+  block.ray_right = rays.ray_right;
+  block.ray_up = rays.ray_up;
   block.ambient = params.scene.ambient;
   block.background = params.scene.background;
   block.use_ramps = params.ramp.enabled ? 1 : 0;

@@ -66,10 +66,9 @@ LinePart part_from(const LineGraph& graph, const Image& placed, Pixel start, Lin
 }
 
 /// Lengths of the shortest ways from the nearest of `starts`, in a map of all pixels that the caller resets.
-Pixel spread(const LineGraph& graph, const std::vector<Pixel>& starts, Image& distance) {
+void spread(const LineGraph& graph, const std::vector<Pixel>& starts, Image& distance) {
   using Reached = std::pair<float, std::pair<int, int>>;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
-  Pixel last = starts.front();
   for (const Pixel& start : starts) {
     distance.at(start.x, start.y) = 0;
     front.push({0.0F, {start.x, start.y}});
@@ -78,28 +77,27 @@ Pixel spread(const LineGraph& graph, const std::vector<Pixel>& starts, Image& di
     const auto [length, at] = front.top();
     front.pop();
     if (length > distance.at(at.first, at.second)) continue;
-    last = {at.first, at.second};
     graph.visit_neighbours(at.first, at.second, [&](int x, int y, float step) {
       if (length + step >= distance.at(x, y)) return;
       distance.at(x, y) = length + step;
       front.push({length + step, {x, y}});
     });
   }
-  return last;
 }
 
 void reset(const LinePart& part, Image& distance) {
   for (const Pixel& pixel : part.pixels) distance.at(pixel.x, pixel.y) = kFar;
 }
 
-/// From anywhere to the farthest pixel, from there to the farthest again; a pixel is one long.
-float length_of(const LineGraph& graph, const LinePart& part, Image& distance) {
-  const Pixel one_end = spread(graph, {part.pixels.front()}, distance);
-  reset(part, distance);
-  const Pixel other_end = spread(graph, {one_end}, distance);
-  const float length = distance.at(other_end.x, other_end.y) + 1.0F;
-  reset(part, distance);
-  return length;
+/// All steps between linked pixels; a line with ends is a pixel longer.
+float length_of(const LineGraph& graph, const LinePart& part) {
+  float steps = 0;
+  bool has_end = false;
+  for (const Pixel& pixel : part.pixels) {
+    graph.visit_neighbours(pixel.x, pixel.y, [&](int, int, float step) { steps += 0.5F * step; });
+    has_end = has_end || graph.is_end(pixel.x, pixel.y);
+  }
+  return steps + (has_end ? 1.0F : 0.0F);
 }
 
 void set_widths(const LineGraph& graph, const LinePart& part, float taper_px, Image& distance,
@@ -146,10 +144,8 @@ Image connected(Image placed, const ConnectParams& params) {
       if (!graph.is_line(x, y) || seen.at(x, y)) continue;
       const LinePart part = part_from(graph, before, {x, y}, seen);
       const bool is_weak = params.has_weak && part.strongest < 1.0F;
-      if (is_weak || length_of(graph, part, distance) < params.min_length_px) {
-        for (const Pixel& pixel : part.pixels) {
-          for (int c = 0; c < 4; ++c) placed.at(pixel.x, pixel.y, c) = 0.0F;
-        }
+      if (is_weak || length_of(graph, part) < params.min_length_px) {
+        for (const Pixel& pixel : part.pixels) set_placed(placed, pixel.x, pixel.y, {});
       } else {
         set_widths(graph, part, params.taper_px, distance, placed);
       }
@@ -170,7 +166,7 @@ bool ConnectPass::hands_on(const Settings& settings) {
 }
 
 Texture ConnectPass::run(const Texture& placed, const ConnectParams& params) const {
-  Texture result("connected lines", TextureFormat::rgba32f, placed.width_px(), placed.height_px());
+  Texture result("connected lines", TextureFormat::rgba8, placed.width_px(), placed.height_px());
   result.upload(connected(placed.read(0, 4), params));
   return result;
 }

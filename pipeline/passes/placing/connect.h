@@ -16,9 +16,9 @@ struct ConnectParams {
   float taper_px = 0;       ///< From an end on the width grows over this length.
 };
 
-/// Placed lines (placed_lines.h), H x W x 4, without those that are too weak or too short, and with the share
-/// of the width in place of the strength. A line's length is the longest way through its pixels that a walk
-/// from end to end finds.
+/// Placed lines (placed_lines.h), packed, H x W x 4, without those that are too weak or too short, and with
+/// the share of the width in place of the strength. A line's length is the longest way through its pixels
+/// that a walk from end to end finds.
 Image connected(Image placed, const ConnectParams& params);
 
 class ConnectPass {

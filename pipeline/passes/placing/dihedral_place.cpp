@@ -22,7 +22,7 @@ DihedralPlacePass::DihedralPlacePass(const GeneratedSources& generated)
           generated) {}
 
 Texture DihedralPlacePass::run(const DihedralParams& params, float weak, const Texture& pairs) const {
-  Texture placed("placed lines", TextureFormat::rgba32f, pairs.width_px(), pairs.height_px());
+  Texture placed("placed lines", TextureFormat::rgba8, pairs.width_px(), pairs.height_px());
   const Buffer edges = weak_block(weak), limits = block_buffer(params);
   draw_over(placed, program_, {&pairs}, {&edges, &limits});
   return placed;

@@ -39,7 +39,7 @@ PlacePass::PlacePass(const GeneratedSources& generated)
 
 Texture PlacePass::run(const Texture& detection, const Texture& candidates) const {
   const Texture thin = thinned_texture(candidates);
-  Texture placed("placed lines", TextureFormat::rgba32f, detection.width_px(), detection.height_px());
+  Texture placed("placed lines", TextureFormat::rgba8, detection.width_px(), detection.height_px());
   draw_over(placed, program_, {&detection, &candidates, &thin}, {});
   return placed;
 }

@@ -5,10 +5,14 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 #include <set>
+#include <string_view>
 
 #include "pipeline/mesh/formats/assimp/file_access.h"
 #include "pipeline/mesh/formats/assimp/node_places.h"
@@ -37,12 +41,14 @@ double displayed(double linear) {
 
 class SceneReader {
  public:
-  SceneReader(const aiScene& scene, bool is_gltf, ImportedScene& result)
-      : scene_(scene), is_gltf_(is_gltf), result_(result) {}
+  SceneReader(const aiScene& scene, bool is_gltf, bool cameras_are_known, ImportedScene& result)
+      : scene_(scene), is_gltf_(is_gltf), cameras_are_known_(cameras_are_known), result_(result) {}
 
   void run() {
     for (const PlacedNode& node : nodes_) add_parts(node);
-    for (unsigned i = 0; i < scene_.mNumCameras; ++i) add_camera(*scene_.mCameras[i]);
+    if (!cameras_are_known_)
+      result_.view_notes.push_back("Left out the cameras: orthographic ones are read from glTF files alone.");
+    for (unsigned i = 0; i < scene_.mNumCameras && cameras_are_known_; ++i) add_camera(*scene_.mCameras[i]);
     for (unsigned i = 0; i < scene_.mNumLights; ++i) add_light(*scene_.mLights[i]);
   }
 
@@ -84,20 +90,35 @@ class SceneReader {
     return place == places_.end() ? nodes_.front().to_world : place->second;
   }
 
+  /// 0 of a perspective camera. Assimp's width is half of what is seen. The scale of a camera's node counts
+  /// for nothing (glTF 2.0, 3.10.2).
+  static double orthographic_height(const aiCamera& camera) {
+    const double width = 2.0 * std::abs(static_cast<double>(camera.mOrthographicWidth));
+    return camera.mAspect > 0.0F ? width / static_cast<double>(camera.mAspect) : width;
+  }
+
+  /// A Collada camera without a name, of which Assimp knows nothing: it has the default angle, a quarter of
+  /// pi, taken for degrees.
+  static bool is_unread(const aiCamera& camera) {
+    const double fov = glm::degrees(static_cast<double>(camera.mHorizontalFOV));
+    return camera.mAspect == 0.0F && std::abs(fov - std::numbers::pi / 4.0) < 1e-6;
+  }
+
   void add_camera(const aiCamera& camera) {
-    const glm::dmat4 place = place_of(camera.mName);
-    if (camera.mOrthographicWidth > 0.0F) {
-      result_.view_notes.push_back("Left out the orthographic camera '" + std::string(camera.mName.C_Str()) +
-                                   "'.");
+    if (is_unread(camera)) {
+      result_.view_notes.push_back("Left out the camera '" + std::string(camera.mName.C_Str()) +
+                                   "', which cannot be read.");
       return;
     }
+    const glm::dmat4 place = place_of(camera.mName);
     // A glTF camera without an aspect fits any; Assimp takes 1 for its horizontal angle.
     const double aspect = camera.mAspect > 0.0F ? camera.mAspect : (is_gltf_ ? 1.0 : 0.0);
     // It stands at its node; Assimp repeats the node's translation as its position.
     const aiVector3D position = is_gltf_ ? aiVector3D() : camera.mPosition;
     result_.cameras.push_back({camera.mName.C_Str(), placed(place, position), turned(place, camera.mLookAt),
                                turned(place, camera.mUp),
-                               glm::degrees(static_cast<double>(camera.mHorizontalFOV)), aspect});
+                               glm::degrees(static_cast<double>(camera.mHorizontalFOV)), aspect,
+                               orthographic_height(camera)});
   }
 
   void add_light(const aiLight& light) {
@@ -122,10 +143,25 @@ class SceneReader {
 
   const aiScene& scene_;
   bool is_gltf_;
+  bool cameras_are_known_;
   ImportedScene& result_;
   std::vector<PlacedNode> nodes_ = place_nodes(scene_);
   NodePlaces places_ = places_by_name(nodes_);
   std::set<std::string> part_names_;
+};
+
+/// Assimp gives a Collada file's orthographic camera as a perspective one, its size as an angle, and only its
+/// log says so.
+class CameraWarning : public Assimp::LogStream {
+ public:
+  explicit CameraWarning(bool& given) : given_(given) {}
+  void write(const char* message) override {
+    if (std::string_view(message).find("Orthographic cameras are not supported") != std::string_view::npos)
+      given_ = true;
+  }
+
+ private:
+  bool& given_;
 };
 
 bool is_gltf(const std::string& path) {
@@ -137,12 +173,16 @@ bool is_gltf(const std::string& path) {
 bool read(const std::string& path, ImportedScene& scene, std::string& problem) {
   Assimp::Importer importer;
   importer.SetIOHandler(new FileAccess);  // which it owns
+  bool cameras_are_wrong = false;
+  Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+  Assimp::DefaultLogger::get()->attachStream(new CameraWarning(cameras_are_wrong), Assimp::Logger::Warn);
   const aiScene* const read = importer.ReadFile(path, 0);
+  Assimp::DefaultLogger::kill();  // with the stream
   if (read == nullptr || read->mRootNode == nullptr) {
     problem = one_line(importer.GetErrorString());
     return false;
   }
-  SceneReader(*read, is_gltf(path), scene).run();
+  SceneReader(*read, is_gltf(path), !cameras_are_wrong, scene).run();
   return true;
 }
 

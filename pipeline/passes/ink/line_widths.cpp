@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/passes/ink/line_widths.h"
+
+#include <algorithm>
+
+namespace inkbench {
+
+WidthParams widths_of(const Settings& settings) {
+  WidthParams widths{settings.line, {}};
+  for (size_t i = 0; i < kEdgeClasses; ++i) widths.of_class[i] = settings.class_looks[i].width;
+  // What is no width.
+  widths.line.taper = 0;
+  widths.line.antialias = true;
+  widths.line.colour_by_class = false;
+  return widths;
+}
+
+bool widths_need_range(const Settings& settings) {
+  return settings.line.unit == WidthUnit::world || settings.line.depth_taper > 0;
+}
+
+void WidthInput::fold(KeyBuilder& key, const FrameState& frame) const {
+  const WidthParams widths = get(frame);
+  key.add(group_text(widths.line));
+  key.add_bytes({reinterpret_cast<const uint8_t*>(widths.of_class.data()), sizeof widths.of_class});
+}
+
+float widest_half_px(const WidthParams& widths, const LensBlock& lens, int height_px,
+                     const Texture* visible) {
+  float width = widths.line.width;
+  if (widths.line.unit == WidthUnit::percent) width *= static_cast<float>(height_px) / 100.0F;
+  if (widths.line.unit == WidthUnit::world) {
+    const Image range = visible->read(0, 2);
+    if (range.at(0, 0, 0) > range.at(0, 0, 1)) return 0.0F;
+    width /= lens.is_orthographic != 0 ? lens.pixel_size : lens.pixel_size * range.at(0, 0, 0);
+  }
+  return 0.5F * width * *std::max_element(widths.of_class.begin(), widths.of_class.end());
+}
+
+Buffer widths_buffer(const WidthParams& widths, int height_px) {
+  WidthsBlock block{};
+  std::copy(widths.of_class.begin(), widths.of_class.end(), block.of_class);
+  block.height_px = static_cast<float>(height_px);
+  return {"widths block", bytes_of(std::span<const WidthsBlock>(&block, 1))};
+}
+
+}  // namespace inkbench
