@@ -4,12 +4,15 @@
 #include <algorithm>
 
 #include "pipeline/passes/edges/combine.h"
+#include "pipeline/passes/edges/dihedral.h"
 #include "pipeline/passes/edges/found_edges.h"
 #include "pipeline/passes/edges/gradient.h"
 #include "pipeline/passes/edges/laplacian.h"
+#include "pipeline/passes/edges/pairs.h"
 #include "pipeline/passes/edges/paper_strength.h"
 #include "pipeline/passes/edges/published_look.h"
 #include "pipeline/passes/edges/range.h"
+#include "pipeline/passes/edges/shaded_pairs.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/passes/gbuffer/meshes.h"
 #include "pipeline/passes/gbuffer/motion.h"
@@ -27,6 +30,7 @@
 #include "pipeline/passes/lines/reference.h"
 #include "pipeline/passes/placing/candidates.h"
 #include "pipeline/passes/placing/connect.h"
+#include "pipeline/passes/placing/dihedral_place.h"
 #include "pipeline/passes/placing/place.h"
 #include "pipeline/passes/placing/placed_lines.h"
 
@@ -42,9 +46,10 @@ std::vector<const PassKind*>& list() {
       &GradientPass::kind(), &RangePass::kind(), &CombinePass::kind(), &PaperStrengthPass::kind(),
       // the others
       &LaplacianPass::kind(),
+      &PairsPass::kind(), &ShadedPairsPass::kind(), &DihedralPass::kind(),
       &FoundEdges::kind(),
       // where lines run
-      &CandidatesPass::kind(), &PlacePass::kind(), &PlacedLines::kind(), &ConnectPass::kind(),
+      &CandidatesPass::kind(), &PlacePass::kind(), &DihedralPlacePass::kind(), &PlacedLines::kind(), &ConnectPass::kind(),
       // how wide they are, and what of each pixel they cover
       &SeedsPass::kind(), &FloodPass::kind(), &CoveragePass::kind(),
       &LineTilesPass::kind(), &NarrowCoveragePass::kind(), &LineCoverage::kind(),

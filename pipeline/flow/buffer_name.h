@@ -61,6 +61,8 @@ class BufferName {
   static const BufferName coverage;        ///< How much of a pixel is ink, 0 to 1.
   static const BufferName edge_strength;   ///< What the detector sees: 1 = at its limit, without an end.
   static const BufferName edge_class;      ///< EdgeClass of detected pixels, 0 elsewhere.
+  static const BufferName pair_angles;     ///< Degrees to the surfaces on the right and above, signed.
+  static const BufferName pair_gaps;       ///< The gaps to them in pixels' sizes, signed.
   static const BufferName shaded;          ///< Light through the ramps, no ink (3.1, 3.2).
   static const BufferName final;           ///< Ink over the shading (3.5).
   static const BufferName blinn_phong;     ///< Plain Blinn-Phong, whatever the ramps (3.1).

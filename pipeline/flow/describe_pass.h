@@ -13,7 +13,8 @@
 // `run` is called with what the inputs give, in their order. A pass class has `using Value`, one `run`, and
 // perhaps a `program()`; it is made once for a pipeline. Two nodes may run one class: a tag names `Pass` and
 // `Value`. A pass that at times hands its first input on says when by `static bool hands_on(const
-// Settings&)`, and what by `handed`.
+// Settings&)`, and what by `handed`. One whose value may lack parts that only some settings read says so by
+// `static bool lacks_part(const Value& held, const Settings&)`: then it runs again, under the same key.
 #pragma once
 
 #include <tuple>
@@ -112,7 +113,10 @@ class PassNode final : public Node<typename Tag::Value> {
       }
     }
     const Key& key = frame.keys[this->index()];
-    if (auto held = memory_.find(key)) return held;
+    if (auto held = memory_.find(key)) {
+      if (!lacks_part(*held, frame.settings)) return held;
+      memory_.drop_found();
+    }
     // All inputs before the pass begins: passes do not lie within each other.
     const auto values = std::apply(
         [&](const auto&... input) { return std::tuple<decltype(input.get(frame))...>{input.get(frame)...}; },
@@ -145,6 +149,13 @@ class PassNode final : public Node<typename Tag::Value> {
  private:
   static constexpr bool kHasProgram = requires(Pass & pass) { pass.program(); };
   static constexpr bool kHandsOn = requires(const Settings& settings) { Tag::hands_on(settings); };
+
+  static bool lacks_part([[maybe_unused]] const Value& held, [[maybe_unused]] const Settings& settings) {
+    if constexpr (requires { Tag::lacks_part(held, settings); })
+      return Tag::lacks_part(held, settings);
+    else
+      return false;
+  }
 
   Flow& flow_;
   Pass& pass_;

@@ -24,6 +24,12 @@ class Memory {
     return held_.back().value;
   }
 
+  /// Forgets the value that was found last, which is no reuse then.
+  void drop_found() {
+    held_.pop_back();
+    --count_.reuses;
+  }
+
   /// Lets the oldest value go where there is no room, so that the next one can use its memory.
   void make_room() {
     if (held_.size() >= capacity_) held_.erase(held_.begin());

@@ -26,6 +26,8 @@ FormatInfo info_of(TextureFormat format) {
       return {GL_RG32F, GL_RG, GL_FLOAT, 2};
     case TextureFormat::rgba32f:
       return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 4};
+    case TextureFormat::rgba16f:
+      return {GL_RGBA16F, GL_RGBA, GL_FLOAT, 4};
     case TextureFormat::r8:
       return {GL_R8, GL_RED, GL_FLOAT, 1};
     case TextureFormat::rg8:

@@ -11,7 +11,7 @@
 
 namespace inkbench {
 
-enum class TextureFormat { r32f, rg32f, rgba32f, r8, rg8, rgba8, depth32f };
+enum class TextureFormat { r32f, rg32f, rgba32f, rgba16f, r8, rg8, rgba8, depth32f };
 
 /// OpenGL's word for the format.
 GLenum internal_format(TextureFormat format);

@@ -31,6 +31,12 @@ const Description& DisplayParams::description() {
                .limits = {1e-3, 1e6},
                .slider = {0.05, 10},
                .scale = Scale::log}),
+          field<&DisplayParams::pair_angles_gain>(
+              {.name = "pair_angles_gain",
+               .help = "The picture of the angles to the neighbours is multiplied by this.",
+               .limits = {1e-6, 1e6},
+               .slider = {1e-3, 0.1},
+               .scale = Scale::log}),
       }};
   return kDescription;
 }

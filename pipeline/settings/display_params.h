@@ -12,6 +12,7 @@ struct DisplayParams {
   float depth_edges_gain = 128.0F;
   float normal_edges_gain = 16.0F;
   float strength_gain = 0.5F;
+  float pair_angles_gain = 0.01F;
 
   static const Description& description();
 };

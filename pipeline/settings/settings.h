@@ -13,6 +13,7 @@
 #include "pipeline/settings/camera.h"
 #include "pipeline/settings/combine_params.h"
 #include "pipeline/settings/detector_params.h"
+#include "pipeline/settings/dihedral_params.h"
 #include "pipeline/settings/display_params.h"
 #include "pipeline/settings/edges_params.h"
 #include "pipeline/settings/image_params.h"
@@ -41,6 +42,7 @@ struct Settings {
   SaitoTakahashiParams saito_takahashi;
   MitchellParams mitchell;
   LaplacianParams laplacian;
+  DihedralParams dihedral;
   LineParams line;
   ClassLooks class_looks = default_class_looks();
   InkParams ink;
@@ -72,6 +74,7 @@ void visit_groups(AnySettings& settings, const Visit& visit, const Wanted& wante
   visit("saito_takahashi", settings.saito_takahashi);
   visit("mitchell", settings.mitchell);
   visit("laplacian", settings.laplacian);
+  visit("dihedral", settings.dihedral);
   visit("line", settings.line);
   for (size_t i = 0; i < kEdgeClasses; ++i)
     visit("line." + std::string(kEdgeClassNames[i + 1]), settings.class_looks[i]);

@@ -2,6 +2,7 @@
 #include "pipeline/passes/edges/found_edges.h"
 
 #include "pipeline/flow/describe_choice.h"
+#include "pipeline/passes/edges/dihedral.h"
 #include "pipeline/passes/edges/laplacian.h"
 #include "pipeline/passes/edges/paper_strength.h"
 
@@ -27,7 +28,7 @@ constinit const BufferName BufferName::edge_class{kEdgeClass};
 
 const PassKind& FoundEdges::kind() {
   static const PassKind kKind = describe_choice<FoundEdges, PaperStrengthPass, LaplacianPass, LaplacianPass,
-                                                LaplacianPass, LaplacianPass, LaplacianPass>(
+                                                LaplacianPass, LaplacianPass, DihedralPass>(
       "edges", EdgesParams::description().group,
       {shows(BufferName::edge_strength), shows(BufferName::edge_class)});
   return kKind;

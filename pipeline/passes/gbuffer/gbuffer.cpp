@@ -9,6 +9,7 @@
 
 #include "pipeline/flow/describe_pass.h"
 #include "pipeline/gl/framebuffer.h"
+#include "pipeline/passes/gbuffer/lens_block.h"
 #include "pipeline/passes/gbuffer/meshes.h"
 
 namespace inkbench {
@@ -26,6 +27,14 @@ struct DrawBlock {
   float two_sided;
   float orthographic;
   glm::vec4 model_to_distance;
+};
+
+/// surface_block of shaders/gbuffer.frag in std140.
+struct SurfaceBlock {
+  glm::mat4 normal_to_view;
+  glm::vec2 middle_px;
+  int is_wanted;
+  int padding;
 };
 
 /// Distance from the eye to the farthest point of the near plane that the image shows.
@@ -48,39 +57,69 @@ glm::vec4 model_to_distance(const glm::mat4& world_to_view, const DrawItem& item
   return -glm::row(world_to_view * item.model_to_world, 2);
 }
 
+/// Does the settings' detector read the triangles' planes?
+bool needs_surface(const Settings& settings) {
+  return settings.edges.method == EdgeMethod::dihedral;
+}
+
+/// Run with: bool. It is in no key, since it changes none of the other maps (`lacks_part`).
+struct SurfaceWanted {
+  SurfaceWanted bind(Flow&) const { return *this; }
+  static std::vector<PassInput> told() { return {}; }
+  void fold(KeyBuilder&, const FrameState&) const {}
+  bool get(const FrameState& frame) const { return needs_surface(frame.settings); }
+};
+
+RenderTarget target_of(const GBuffer& gbuffer, const Texture& hidden_surfaces) {
+  if (gbuffer.surface.id() == 0)
+    return RenderTarget({&gbuffer.normal_and_depth, &gbuffer.object_id}, &hidden_surfaces);
+  return RenderTarget({&gbuffer.normal_and_depth, &gbuffer.object_id, &gbuffer.surface}, &hidden_surfaces);
+}
+
 }  // namespace
 
 constinit const BufferName BufferName::object_id{kObjectId};
+
+bool GBufferPass::lacks_part(const GBuffer& held, const Settings& settings) {
+  return needs_surface(settings) && held.surface.id() == 0;
+}
 
 const PassKind& GBufferPass::kind() {
   static const PassKind kKind = describe_pass<GBufferPass>(
       "gbuffer", 10, {shows(BufferName::object_id, &GBuffer::object_id)}, group<&Settings::camera>(),
       DrawItemsInput{}, part<&Settings::image, &ImageParams::width>(),
-      part<&Settings::image, &ImageParams::height>());
+      part<&Settings::image, &ImageParams::height>(), SurfaceWanted{});
   return kKind;
 }
 
 GBufferPass::GBufferPass(const GeneratedSources& generated)
-    : program_("gbuffer.vert", "gbuffer.frag", {.uniform_blocks = {{"draw_block", sizeof(DrawBlock)}}},
+    : program_("gbuffer.vert", "gbuffer.frag",
+               {.samplers = {"face_normals"},
+                .uniform_blocks = {{"draw_block", sizeof(DrawBlock)},
+                                   kLensBlock,
+                                   {"surface_block", sizeof(SurfaceBlock)}}},
                generated) {}
 
 GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> items, int width_px,
-                         int height_px) const {
+                         int height_px, bool with_surface) const {
   GBuffer result{Texture("normal and depth", TextureFormat::rgba32f, width_px, height_px),
-                 Texture("object id", TextureFormat::r32f, width_px, height_px)};
+                 Texture("object id", TextureFormat::r32f, width_px, height_px),
+                 with_surface ? Texture("surface", TextureFormat::rgba32f, width_px, height_px) : Texture()};
   const Texture hidden_surfaces("hidden surfaces", TextureFormat::depth32f, width_px, height_px);
-  const RenderTarget target({&result.normal_and_depth, &result.object_id}, &hidden_surfaces);
+  const RenderTarget target = target_of(result, hidden_surfaces);
   constexpr std::array kNoNormalAndFar{0.5F, 0.5F, 0.5F, 1.0F};
   constexpr std::array kNoId{0.0F, 0.0F, 0.0F, 0.0F};
   constexpr float kFarthest = 1.0F;
   glClearBufferfv(GL_COLOR, 0, kNoNormalAndFar.data());
   glClearBufferfv(GL_COLOR, 1, kNoId.data());
+  if (with_surface) glClearBufferfv(GL_COLOR, 2, kNoId.data());
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
   beyond_far_->update(items, camera);
   program_.use();
   const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
   const glm::mat4 world_to_view = view_matrix(camera);
   const glm::mat4 world_to_clip = projection_matrix(camera, aspect) * world_to_view;
+  const Buffer lens = lens_buffer(lens_of(camera, height_px));
   for (const DrawItem& item : items) {
     const glm::mat4 normal_to_world(glm::transpose(glm::inverse(glm::mat3(item.model_to_world))));
     const DrawBlock block{world_to_clip * item.model_to_world,   normal_to_world,
@@ -88,7 +127,13 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
                           item.two_sided ? 1.0F : 0.0F,          is_orthographic(camera) ? 1.0F : 0.0F,
                           model_to_distance(world_to_view, item)};
     const Buffer uniforms("draw block", bytes_of(std::span(&block, 1)));
-    bind_uniform_blocks({&uniforms});
+    const SurfaceBlock wanted{glm::mat4(glm::mat3(world_to_view)) * normal_to_world,
+                              {0.5F * static_cast<float>(width_px), 0.5F * static_cast<float>(height_px)},
+                              with_surface ? 1 : 0,
+                              0};
+    const Buffer surface("surface block", bytes_of(std::span(&wanted, 1)));
+    bind_uniform_blocks({&uniforms, &lens, &surface});
+    if (with_surface) item.mesh->face_normals().bind(0);
     // A mirrored model's faces turn the other way on the screen.
     glFrontFace(glm::determinant(glm::mat3(item.model_to_world)) < 0.0F ? GL_CW : GL_CCW);
     (back_faces_hidden(item, camera, aspect) ? glEnable : glDisable)(GL_CULL_FACE);

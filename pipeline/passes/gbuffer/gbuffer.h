@@ -19,14 +19,19 @@ struct GBuffer {
                              ///< alpha: linear depth / far, 1 where no model is. One texture, since the
                              ///< gradient reads both.
   Texture object_id;         ///< r32f: 0 where no model is.
+  Texture surface;  ///< rgba32f: the triangles' planes (shaders/lib/surface.glsl), 0 where no model is;
+                    ///< without storage where it was not asked for.
 };
 
 class GBufferPass {
  public:
   using Value = GBuffer;
   static const PassKind& kind();
+  /// The planes are drawn for the detector that reads them alone; the other maps and the key are the same.
+  static bool lacks_part(const GBuffer& held, const Settings& settings);
   explicit GBufferPass(const GeneratedSources& generated);
-  GBuffer run(const CameraParams& camera, std::span<const DrawItem> items, int width_px, int height_px) const;
+  GBuffer run(const CameraParams& camera, std::span<const DrawItem> items, int width_px, int height_px,
+              bool with_surface) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

@@ -12,6 +12,7 @@
 #include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
 #include "pipeline/mesh/closed.h"
+#include "pipeline/mesh/face_normals.h"
 #include "pipeline/mesh/formats/mesh_file.h"
 #include "pipeline/mesh/formats/scene_import.h"
 #include "pipeline/mesh/levels/model_mesh.h"
@@ -37,15 +38,17 @@ void note_if_missed(const ModelParams& model, const MeshParams& level, size_t re
 
 }  // namespace
 
-GpuMesh::GpuMesh(const std::string& label, const Mesh& mesh, const Bounds& placement)
-    : vertex_array_(label),
-      positions_(label + " positions", bytes_of(std::span(mesh.positions))),
-      normals_(label + " normals", bytes_of(std::span(mesh.normals))),
-      triangles_(label + " triangles", bytes_of(std::span(mesh.triangles))),
-      index_count_(static_cast<GLsizei>(mesh.triangles.size() * 3)),
-      bounds_(bounds_of(mesh)),
+GpuMesh::GpuMesh(const std::string& label, std::shared_ptr<const Mesh> mesh, const Bounds& placement)
+    : label_(label),
+      mesh_(std::move(mesh)),
+      vertex_array_(label),
+      positions_(label + " positions", bytes_of(std::span(mesh_->positions))),
+      normals_(label + " normals", bytes_of(std::span(mesh_->normals))),
+      triangles_(label + " triangles", bytes_of(std::span(mesh_->triangles))),
+      index_count_(static_cast<GLsizei>(mesh_->triangles.size() * 3)),
+      bounds_(bounds_of(*mesh_)),
       placement_(placement),
-      closed_outwards_(is_closed_outwards(mesh)) {
+      closed_outwards_(is_closed_outwards(*mesh_)) {
   attach(vertex_array_, 0, positions_);
   attach(vertex_array_, 1, normals_);
   glVertexArrayElementBuffer(vertex_array_.id(), triangles_.id());
@@ -54,6 +57,11 @@ GpuMesh::GpuMesh(const std::string& label, const Mesh& mesh, const Bounds& place
 void GpuMesh::draw() const {
   glBindVertexArray(vertex_array_.id());
   glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+const BufferTexture& GpuMesh::face_normals() const {
+  if (!face_normals_) face_normals_.emplace(label_ + " face normals", inkbench::face_normals(*mesh_));
+  return *face_normals_;
 }
 
 Key MeshStore::file_key(const std::string& path) {
@@ -167,7 +175,7 @@ std::shared_ptr<const GpuMesh> MeshStore::get(const ModelParams& model, const Me
 
 std::shared_ptr<const GpuMesh> MeshStore::hold(const Key& key, const ModelParams& model,
                                                std::shared_ptr<const Mesh> mesh, const Bounds& placement) {
-  auto gpu = std::make_shared<const GpuMesh>("mesh of " + model.name, *mesh, placement);
+  auto gpu = std::make_shared<const GpuMesh>("mesh of " + model.name, mesh, placement);
   return meshes_.emplace(key, Held{std::move(mesh), std::move(gpu)}).first->second.gpu;
 }
 

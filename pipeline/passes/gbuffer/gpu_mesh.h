@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pipeline/base/key.h"
+#include "pipeline/gl/buffer_texture.h"
 #include "pipeline/gl/object.h"
 #include "pipeline/mesh/levels/mesh_ladder.h"
 #include "pipeline/mesh/mesh.h"
@@ -24,14 +25,20 @@ class GpuMesh {
  public:
   /// `placement` is the box by which the model is scaled and anchored: that of the full mesh, so that its
   /// levels stand still.
-  GpuMesh(const std::string& label, const Mesh& mesh, const Bounds& placement);
+  GpuMesh(const std::string& label, std::shared_ptr<const Mesh> mesh, const Bounds& placement);
   void draw() const;
+  /// A normal for each triangle (`face_normals`), by the place that `gl_PrimitiveID` has while it is drawn;
+  /// uploaded when it is first asked for. Errors: as `BufferTexture`.
+  const BufferTexture& face_normals() const;
   size_t face_count() const { return static_cast<size_t>(index_count_) / 3; }
   const Bounds& bounds() const { return bounds_; }
   const Bounds& placement() const { return placement_; }
   bool closed_outwards() const { return closed_outwards_; }
 
  private:
+  std::string label_;
+  std::shared_ptr<const Mesh> mesh_;
+  mutable std::optional<BufferTexture> face_normals_;
   VertexArray vertex_array_;
   Buffer positions_, normals_, triangles_;
   GLsizei index_count_ = 0;

@@ -4,8 +4,8 @@
 namespace inkbench {
 
 LensBlock lens_of(const CameraParams& camera, int height_px) {
-  return {camera.far, static_cast<float>(pixel_size(camera, 1.0, height_px)), is_orthographic(camera) ? 1 : 0,
-          0};
+  const auto size = static_cast<float>(pixel_size(camera, 1.0, height_px));
+  return {camera.far, size, is_orthographic(camera) ? 1 : 0, 0};
 }
 
 Buffer lens_buffer(const LensBlock& lens) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/flow/describe_choice.h"
+#include "pipeline/passes/placing/dihedral_place.h"
 #include "pipeline/passes/placing/place.h"
 
 namespace inkbench {
@@ -23,13 +24,13 @@ void set_placed(Image& packed, int x, int y, const PlacedLine& line) {
   packed.at(x, y, 3) = is_line ? line.share : 0.0F;
 }
 
-size_t PlacedLines::chosen(const Settings&) {
-  return 0;
+size_t PlacedLines::chosen(const Settings& settings) {
+  return settings.edges.method == EdgeMethod::dihedral ? 1 : 0;
 }
 
 const PassKind& PlacedLines::kind() {
-  static const PassKind kKind =
-      describe_choice<PlacedLines, PlacePass>("placed", EdgesParams::description().group, {});
+  static const PassKind kKind = describe_choice<PlacedLines, PlacePass, DihedralPlacePass>(
+      "placed", EdgesParams::description().group, {});
   return kKind;
 }
 

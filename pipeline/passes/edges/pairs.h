@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What lies between neighbouring pixels: the angle between their surfaces and the gap between their planes,
+// before any limit. In: the G-buffer's planes. Out: both for the neighbours to the right and above.
+#pragma once
+
+#include "pipeline/flow/flow.h"
+#include "pipeline/gl/program.h"
+#include "pipeline/passes/gbuffer/gbuffer.h"
+#include "pipeline/passes/gbuffer/lens_block.h"
+
+namespace inkbench {
+
+class PairsPass {
+ public:
+  using Value = Texture;
+  static const PassKind& kind();
+  explicit PairsPass(const GeneratedSources& generated);
+  /// Out: rgba16f as shaders/lib/pair_map.glsl says.
+  Texture run(const LensBlock& lens, const GBuffer& gbuffer) const;
+  const Program& program() const { return program_; }
+  Program& program() { return program_; }
+
+ private:
+  Program program_;
+};
+
+}  // namespace inkbench
