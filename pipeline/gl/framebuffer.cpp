@@ -82,4 +82,9 @@ void draw_full_screen() {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+void draw_strips(int vertices, int strips) {
+  glBindVertexArray(GlContext::current().empty_vertex_array().id());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertices, strips);
+}
+
 }  // namespace inkbench

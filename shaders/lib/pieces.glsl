@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // A line as the pieces between the points of linked pixels, and the share of a pixel that it covers. A seed is a line's
 // point in pixels from the lower left corner, half the line's width there, and its class, 0 where there is none. Needs
-// lib/lens.glsl and the sampler normal_and_depth_map.
+// `vec4 seed_at(ivec2 at)`.
 
 layout(std140) uniform coverage_block {
   int samples;  // a side: in or out at so many by so many points of a pixel; 0: the exact share
   int reach_px;  // how far from a pixel its line's point can be
 } coverage;
+
+// A pixel that a line touches lies no farther beyond the line's half width from the line's nearest point: its corner is 0.71
+// from its centre, and points are 1.5 apart at most.
+const float farthest_beyond = 1.1;
 
 // The share of a pixel on the near side of a straight edge `to_edge` pixels from its centre; `slope` is the absolute
 // direction to the edge, a unit vector. Exact.
@@ -17,7 +21,7 @@ float share_before(float to_edge, vec2 slope) {
   return to_edge > 0.0 ? 1.0 - beyond : beyond;
 }
 
-// Where a piece of a line is nearest: how far away, in which direction, and half its width there.
+// Where a line is nearest: how far away, in which direction, and half its width there.
 struct Foot {
   float away;
   vec2 direction;  // absolute
@@ -33,67 +37,40 @@ Foot foot_on(vec2 here, vec4 from, vec4 to) {
   return Foot(away, direction, mix(from.z, to.z, t));
 }
 
-// The seeds around a line's pixel (itself at 4) become the ends of the pieces that begin there: diagonal neighbours count
-// where neither pixel beside both has a line; a pixel alone is a point.
-void keep_linked(inout vec4 seeds[9]) {
-  bool side[9];
-  for (int i = 0; i < 9; ++i) side[i] = seeds[i].a > 0.5;
+ivec2 step_of(int i) { return ivec2(i % 3, i / 3) - 1; }
+
+// Which of the eight neighbours of a line's pixel have a line, a bit each.
+int seeds_around(ivec2 of_line, int rows) {
+  int found = 0;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < 3; ++x) found |= seed_at(of_line + ivec2(x, y) - 1).a > 0.5 ? 1 << (3 * y + x) : 0;
+  return found & ~16;
+}
+
+// Diagonal neighbours count where neither pixel beside both has a line.
+bool is_linked(int found, int i) {
+  ivec2 d = step_of(i);
+  bool beside_both = (found & (1 << (4 + d.x) | 1 << (4 + 3 * d.y))) != 0;
+  return (found & 1 << i) != 0 && (d.x * d.y == 0 || !beside_both);
+}
+
+// Of the pieces that begin at the nearest point; of the point itself where there is none.
+Foot nearest_foot(vec2 here, vec4 from, int found, int rows) {
+  Foot nearest = foot_on(here, from, from);
   bool alone = true;
-  for (int i = 0; i < 9; ++i) {
-    ivec2 d = ivec2(i % 3, i / 3) - 1;
-    bool linked = i != 4 && side[i] && (d.x * d.y == 0 || !(side[4 + d.x] || side[4 + 3 * d.y]));
-    alone = alone && !linked;
-    if (!linked && i != 4) seeds[i] = vec4(0.0);
-  }
-  if (!alone) seeds[4].a = 0.0;
-}
-
-float exact_coverage(vec2 here, vec4 from, vec4 ends[9]) {
-  Foot nearest = Foot(1e30, vec2(1.0, 0.0), 0.0);
-  for (int i = 0; i < 9; ++i) {
-    if (ends[i].a < 0.5) continue;
-    Foot foot = foot_on(here, from, ends[i]);
-    if (foot.away - foot.half_width < nearest.away - nearest.half_width) nearest = foot;
-  }
-  return share_before(nearest.half_width - nearest.away, nearest.direction) -
-         share_before(-nearest.half_width - nearest.away, nearest.direction);
-}
-
-float sampled_coverage(vec2 here, vec4 from, vec4 ends[9]) {
-  int inside = 0;
-  for (int s = 0; s < coverage.samples * coverage.samples; ++s) {
-    vec2 place = (vec2(s % coverage.samples, s / coverage.samples) + 0.5) / float(coverage.samples) - 0.5;
-    bool is_in = false;
-    for (int i = 0; i < 9; ++i) {
-      Foot foot = foot_on(here + place, from, ends[i]);
-      is_in = is_in || (ends[i].a > 0.5 && foot.away <= foot.half_width);
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      Foot foot = foot_on(here, from, seed_at(ivec2(floor(from.xy)) + ivec2(x, y) - 1));
+      bool is_nearer = is_linked(found, 3 * y + x) && (alone || foot.away - foot.half_width < nearest.away - nearest.half_width);
+      alone = alone && !is_nearer;
+      nearest.away = is_nearer ? foot.away : nearest.away;
+      nearest.direction = is_nearer ? foot.direction : nearest.direction;
+      nearest.half_width = is_nearer ? foot.half_width : nearest.half_width;
     }
-    inside += int(is_in);
   }
-  return float(inside) / float(coverage.samples * coverage.samples);
+  return nearest;
 }
 
-float depth_at(ivec2 at) {
-  return texelFetch(normal_and_depth_map, clamp(at, ivec2(0), textureSize(normal_and_depth_map, 0) - 1), 0).a;
-}
-
-// Does the pixel show a surface in front of the line's? One that goes on from the line's own comes nearer no more than
-// three times as fast as it does here.
-bool is_in_front(ivec2 at, ivec2 of_line) {
-  float own = depth_at(at), lines = depth_at(of_line);
-  if (is_background(own) || own >= lines) return false;
-  float here = affine_depth(own);
-  vec2 before = vec2(affine_depth(depth_at(at - ivec2(1, 0))), affine_depth(depth_at(at - ivec2(0, 1))));
-  vec2 after = vec2(affine_depth(depth_at(at + ivec2(1, 0))), affine_depth(depth_at(at + ivec2(0, 1))));
-  vec2 slope = min(abs(before - here), abs(after - here));
-  float explained = dot(slope, abs(vec2(at - of_line)));
-  return in_pixel_sizes(max(abs(here - affine_depth(lines)) - 3.0 * explained, 0.0), here) > 2.0;
-}
-
-// Coverage and class / 255 of the pixel whose centre is `here`, by its nearest seed and the seeds around that one.
-vec2 ink_of(ivec2 at, vec2 here, vec4 nearest, vec4 around[9]) {
-  keep_linked(around);
-  float covered = coverage.samples > 0 ? sampled_coverage(here, nearest, around) : exact_coverage(here, nearest, around);
-  if (covered > 0.0 && is_in_front(at, ivec2(floor(nearest.xy)))) covered = 0.0;
-  return vec2(covered, covered > 0.0 ? nearest.a / 255.0 : 0.0);
+float exact_share(Foot foot) {
+  return share_before(foot.half_width - foot.away, foot.direction) - share_before(-foot.half_width - foot.away, foot.direction);
 }

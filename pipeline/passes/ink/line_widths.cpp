@@ -37,10 +37,11 @@ float widest_half_px(const WidthParams& widths, const LensBlock& lens, int heigh
   return 0.5F * width * *std::max_element(widths.of_class.begin(), widths.of_class.end());
 }
 
-Buffer widths_buffer(const WidthParams& widths, int height_px) {
+Buffer widths_buffer(const WidthParams& widths, int height_px, bool need_distance) {
   WidthsBlock block{};
   std::copy(widths.of_class.begin(), widths.of_class.end(), block.of_class);
   block.height_px = static_cast<float>(height_px);
+  block.need_distance = need_distance ? 1 : 0;
   return {"widths block", bytes_of(std::span<const WidthsBlock>(&block, 1))};
 }
 

@@ -36,9 +36,10 @@ float widest_half_px(const WidthParams& widths, const LensBlock& lens, int heigh
 struct WidthsBlock {
   float of_class[8];
   float height_px;
-  float padding[3];
+  int need_distance;
+  float padding[2];
 };
 inline const UniformBlock kWidthsBlock{"widths_block", sizeof(WidthsBlock)};
-Buffer widths_buffer(const WidthParams& widths, int height_px);
+Buffer widths_buffer(const WidthParams& widths, int height_px, bool need_distance);
 
 }  // namespace inkbench

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/passes/ink/narrow_coverage.h"
 
+#include <array>
 #include <cmath>
 
 #include "pipeline/flow/describe_choice.h"
+#include "pipeline/gl/framebuffer.h"
 #include "pipeline/passes/edges/detection_pass.h"
-#include "pipeline/passes/gbuffer/visible_range.h"
 #include "pipeline/passes/ink/coverage.h"
 #include "pipeline/passes/ink/line_tiles.h"
 #include "pipeline/passes/placing/connect.h"
@@ -14,6 +15,18 @@ namespace inkbench {
 namespace {
 
 constexpr float kMostHalfPx = 2.0F;
+
+/// squares_block of shaders/tiles.vert in std140.
+struct SquaresBlock {
+  int width_px, height_px;
+  int reach_px;
+  int columns;
+};
+
+/// Along a side of the image.
+int squares(int side_px) {
+  return (side_px + 15) / 16;
+}
 
 /// How far from a pixel that a line touches the pixel of its nearest point can be, along a row or column. The
 /// pixel's corner is 0.71 from its centre; two points in a row are at most 1.5 apart; a point lies up to half
@@ -26,15 +39,14 @@ int reach_of(float half_px) {
 }  // namespace
 
 bool lines_are_narrow(const Settings& settings) {
-  if (settings.line.unit == WidthUnit::world) return false;
+  if (widths_need_range(settings)) return false;
   return widest_half_px(widths_of(settings), {}, settings.image.height, nullptr) <= kMostHalfPx;
 }
 
 const PassKind& NarrowCoveragePass::kind() {
   static const PassKind kKind = describe_pass<NarrowCoveragePass>(
       "narrow_coverage", 4, {}, derived<drawn_samples>(LineParams::description), WidthInput{}, LensInput{},
-      value_of<ConnectPass>(), value_of<LineTilesPass>(), value_of<GBufferPass>(),
-      value_when<VisibleRangePass, widths_need_range>());
+      value_of<ConnectPass>(), value_of<LineTilesPass>(), value_of<GBufferPass>());
   return kKind;
 }
 
@@ -45,23 +57,31 @@ const PassKind& LineCoverage::kind() {
 }
 
 NarrowCoveragePass::NarrowCoveragePass(const GeneratedSources& generated)
-    : program_(
-          "full_screen.vert", "narrow_coverage.frag",
-          {.samplers = {"placed_map", "tile_map", "normal_and_depth_map", "visible_map"},
-           .uniform_blocks = {kCoverageBlock, block_of(LineParams::description()), kLensBlock, kWidthsBlock}},
-          generated) {}
+    : program_("tiles.vert", "narrow_coverage.frag",
+               {.samplers = {"placed_map", "tile_map", "normal_and_depth_map"},
+                .uniform_blocks = {kCoverageBlock,
+                                   block_of(LineParams::description()),
+                                   kLensBlock,
+                                   kWidthsBlock,
+                                   {"squares_block", sizeof(SquaresBlock)}}},
+               generated) {}
 
 Texture NarrowCoveragePass::run(int samples, const WidthParams& widths, const LensBlock& lens,
-                                const Texture& placed, const Texture& tiles, const GBuffer& gbuffer,
-                                const Texture* visible) const {
+                                const Texture& placed, const Texture& tiles, const GBuffer& gbuffer) const {
   Texture ink("narrow coverage", TextureFormat::rg8, placed.width_px(), placed.height_px());
-  const Buffer count =
-      coverage_buffer({samples, reach_of(widest_half_px(widths, lens, placed.height_px(), visible)), {}});
+  const int reach_px = reach_of(widest_half_px(widths, lens, placed.height_px(), nullptr));
+  const Buffer count = coverage_buffer({samples, reach_px, {}});
   const Buffer line = block_buffer(widths.line), lens_uniforms = lens_buffer(lens);
-  const Buffer factors = widths_buffer(widths, placed.height_px());
-  const Texture& range = visible != nullptr ? *visible : placed;  // not looked at
-  draw_over(ink, program_, {&placed, &tiles, &gbuffer.normal_and_depth, &range},
-            {&count, &line, &lens_uniforms, &factors});
+  const Buffer factors = widths_buffer(widths, placed.height_px(), false);
+  const SquaresBlock block{placed.width_px(), placed.height_px(), reach_px, squares(placed.width_px())};
+  const Buffer squares_uniforms("squares block", bytes_of(std::span<const SquaresBlock>(&block, 1)));
+  const RenderTarget target({&ink}, nullptr);
+  constexpr std::array kNoInk{0.0F, 0.0F, 0.0F, 0.0F};
+  glClearBufferfv(GL_COLOR, 0, kNoInk.data());
+  program_.use();
+  bind_uniform_blocks({&count, &line, &lens_uniforms, &factors, &squares_uniforms});
+  bind_textures({&placed, &tiles, &gbuffer.normal_and_depth});
+  draw_strips(4, squares(placed.width_px()) * squares(placed.height_px()));
   return ink;
 }
 

@@ -20,7 +20,7 @@ class NarrowCoveragePass {
   explicit NarrowCoveragePass(const GeneratedSources& generated);
   /// In: placed lines and the tiles that have one. Out: as `CoveragePass`.
   Texture run(int samples, const WidthParams& widths, const LensBlock& lens, const Texture& placed,
-              const Texture& tiles, const GBuffer& gbuffer, const Texture* visible) const;
+              const Texture& tiles, const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 
