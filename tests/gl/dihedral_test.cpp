@@ -249,7 +249,7 @@ TEST(Dihedral, pairs_equal_planes_in_double_precision) {
     }
   }
   EXPECT_GT(compared, 10000);
-  EXPECT_GT(bends, 50);
+  EXPECT_GT(bends, 20);
   EXPECT_LT(undecided, 10);
 }
 

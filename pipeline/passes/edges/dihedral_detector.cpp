@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/passes/edges/dihedral_sides.h"
 
@@ -64,17 +65,24 @@ std::string cause_of(const PixelSide& side, const PerBuffer<Image>& maps, const 
   return fmt::format("the planes meet at {:.3g} degrees", side.angle_deg);
 }
 
+/// To hundredths, so that a limit of so much is reached.
+double rounded_down(double value) {
+  return std::floor(value * 100.0) / 100.0;
+}
+
 std::string verdict_of(const PixelSide& side, const std::string& cause, double weak, bool is_line,
                        const DihedralParams& params) {
   if (is_line) return fmt::format("A line, because {}.", cause);
   if (side.strength >= weak)
     return "No line: what is here is the line of a neighbour, where the step is nearer or the planes meet.";
-  const bool by_gap = side.gap_px / params.gap > side.angle_deg / params.angle;
-  return by_gap ? fmt::format("No line: the largest gap is {:.3g} px; dihedral.gap = {:.3g} would draw it.",
-                              side.gap_px, side.gap_px)
-                : fmt::format(
-                      "No line: the largest angle is {:.3g} degrees; dihedral.angle = {:.3g} would draw it.",
-                      side.angle_deg, side.angle_deg);
+  const double gap = rounded_down(side.gap_px), angle = rounded_down(side.angle_deg);
+  if (gap / params.gap > angle / params.angle)
+    return fmt::format("No line: the largest gap is {:.6g} px; dihedral.gap = {:.6g} would draw it.", gap,
+                       gap);
+  if (angle > 0.0)
+    return fmt::format("No line: the largest angle is {:.6g} degrees; dihedral.angle = {:.6g} would draw it.",
+                       angle, angle);
+  return "No line: the surface goes on here without an angle or a gap.";
 }
 
 class DihedralDetector final : public EdgeDetector {
