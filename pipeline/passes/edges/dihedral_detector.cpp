@@ -85,6 +85,18 @@ std::string verdict_of(const PixelSide& side, const std::string& cause, double w
   return "No line: the surface goes on here without an angle or a gap.";
 }
 
+bool has_company(const PerBuffer<Image>& maps, const Settings& settings, int x, int y) {
+  const Image &angles = maps[BufferName::pair_angles], &gaps = maps[BufferName::pair_gaps];
+  const double weak = settings.edges.weak;
+  for (int i = 0; i < 9; ++i) {
+    const int nx = x + i % 3 - 1, ny = y + i / 3 - 1;
+    const bool inside = nx >= 0 && ny >= 0 && nx < angles.width_px && ny < angles.height_px;
+    if (i == 4 || !inside) continue;
+    if (strength_of(pixel_sides(angles, gaps, settings.dihedral, weak, nx, ny)) >= weak) return true;
+  }
+  return false;
+}
+
 class DihedralDetector final : public EdgeDetector {
  public:
   std::string_view name() const override { return "dihedral"; }
@@ -94,7 +106,8 @@ class DihedralDetector final : public EdgeDetector {
   std::vector<BufferName> maps() const override {
     return {BufferName::pair_angles, BufferName::pair_gaps, BufferName::object_id};
   }
-  int reach_px() const override { return 1; }
+  /// Whether the pixels around are lines depends on their own neighbours.
+  int reach_px() const override { return 2; }
   BufferName strength() const override { return BufferName::edge_strength; }
   std::optional<BufferName> line_class() const override { return BufferName::edge_class; }
 
@@ -110,12 +123,15 @@ class DihedralDetector final : public EdgeDetector {
     result.sum = result.edge = strength_of(sides);
     result.limit = weak;
     result.limit_name = "limit";
-    result.is_line = result.sum >= weak;
+    const bool is_dot = !has_company(maps, settings, x, y);
+    result.is_line = result.sum >= weak && !is_dot;
     if (result.is_line) result.line_class = kEdgeClassNames[static_cast<size_t>(class_of(sides, weak))];
     const PixelSide& side = decisive(sides);
     const std::string cause = result.is_line ? cause_of(side, maps, settings, x, y) : "";
     result.terms[side.gap_px > 0.0 ? 1 : 0].cause = cause;
-    result.verdict = verdict_of(side, cause, weak, result.is_line, params);
+    result.verdict = result.sum >= weak && is_dot
+                         ? "No line: it would be a single pixel, without a line in the eight around it."
+                         : verdict_of(side, cause, weak, result.is_line, params);
     return result;
   }
 };
