@@ -15,7 +15,7 @@ namespace {
 struct MeasureOptions {
   SceneOptions scene;
   std::string list;
-  bool json = false;
+  bool json = false, causes = false;
 };
 
 void print_list(const std::string& format) {
@@ -31,16 +31,17 @@ void measure(const MeasureOptions& options) {
   const Settings settings = chosen_scene(options.scene).settings;
   const HeadlessContext context;
   Pipeline pipeline;
-  const DrawingTally tally = DrawingMeter(pipeline, MeasureNeeds::all()).tally(pipeline.at(settings));
+  const std::vector<const Measure*> measures = measures_of_a_view(options.causes);
+  const DrawingTally tally = DrawingMeter(pipeline, MeasureNeeds::of(measures)).tally(pipeline.at(settings));
   if (options.json) {
-    print_out("{}\n", measures_json(all_measures(), tally));
+    print_out("{}\n", measures_json(measures, tally));
     return;
   }
   print_out("The drawing against its reference lines, {} x {}, tolerance {} px\n", settings.image.width,
             settings.image.height, shortest(settings.judge.tolerance));
   if (tally.lines.empty())
     print_out("empty: neither has a line inside the border of {} px\n", kIgnoredBorderPx);
-  print_out("{}", measures_table(all_measures(), tally));
+  print_out("{}", measures_table(measures, tally));
 }
 
 }  // namespace
@@ -51,6 +52,8 @@ void add_measure_command(CLI::App& app) {
       app.add_subcommand("measure", "Draw a scene and measure its lines against its reference lines");
   add_scene_options(*command, options->scene);
   command->add_flag("--json", options->json, "Print one JSON object and nothing else");
+  command->add_flag("--causes", options->causes,
+                    "Also count false and missed pixels by cause, which draws again a few times");
   command->add_option("--list", options->list, "Draw nothing; list the measures as text or markdown")
       ->check(CLI::IsMember({"text", "markdown"}));
   command->footer(

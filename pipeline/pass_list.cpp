@@ -15,6 +15,7 @@
 #include "pipeline/passes/edges/shaded_pairs.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/passes/gbuffer/meshes.h"
+#include "pipeline/passes/gbuffer/motion.h"
 #include "pipeline/passes/gbuffer/quantise.h"
 #include "pipeline/passes/gbuffer/visible_range.h"
 #include "pipeline/passes/ink/coverage.h"
@@ -37,29 +38,29 @@ namespace inkbench {
 namespace {
 
 std::vector<const PassKind*>& list() {
+  // clang-format off
   static std::vector<const PassKind*> passes{
-      &MeshesPass::kind(),         &GBufferPass::kind(),
-      &QuantisePass::kind(),
-      &VisibleRangePass::kind(),  // maps
-      &GradientPass::kind(),       &RangePass::kind(),
-      &CombinePass::kind(),
-      &PaperStrengthPass::kind(),  // paper
-      &LaplacianPass::kind(),      &PairsPass::kind(),
-      &ShadedPairsPass::kind(),    &DihedralPass::kind(),
-      &FoundEdges::kind(),  // other detectors
-      &CandidatesPass::kind(),     &PlacePass::kind(),
-      &DihedralPlacePass::kind(),  &PlacedLines::kind(),
-      &ConnectPass::kind(),  // placing
-      &SeedsPass::kind(),          &FloodPass::kind(),
-      &CoveragePass::kind(),       &LineTilesPass::kind(),
-      &NarrowCoveragePass::kind(), &LineCoverage::kind(),
-      &AliasedCoverage::kind(),    &SampledCoverage::kind(),  // width
-      &PublishedLookPass::kind(),  &DrawnInk::kind(),
-      &LinesPass::kind(),  // ink
-      &ShadePass::kind(),          &InkPass::kind(),
-      &BlinnPhong::kind(),     // light, and ink over it
-      &ReferencePass::kind(),  // beside the chain
+      // scene to maps
+      &MeshesPass::kind(), &GBufferPass::kind(), &QuantisePass::kind(), &VisibleRangePass::kind(),
+      // the paper's method
+      &GradientPass::kind(), &RangePass::kind(), &CombinePass::kind(), &PaperStrengthPass::kind(),
+      // the others
+      &LaplacianPass::kind(),
+      &PairsPass::kind(), &ShadedPairsPass::kind(), &DihedralPass::kind(),
+      &FoundEdges::kind(),
+      // where lines run
+      &CandidatesPass::kind(), &PlacePass::kind(), &DihedralPlacePass::kind(), &PlacedLines::kind(), &ConnectPass::kind(),
+      // how wide they are, and what of each pixel they cover
+      &SeedsPass::kind(), &FloodPass::kind(), &CoveragePass::kind(),
+      &LineTilesPass::kind(), &NarrowCoveragePass::kind(), &LineCoverage::kind(),
+      &AliasedCoverage::kind(), &SampledCoverage::kind(),
+      &PublishedLookPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
+      // light, and ink over it
+      &ShadePass::kind(), &InkPass::kind(), &BlinnPhong::kind(),
+      // beside the chain
+      &ReferencePass::kind(), &MotionPass::kind(),
   };
+  // clang-format on
   return passes;
 }
 

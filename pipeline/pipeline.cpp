@@ -19,6 +19,9 @@ namespace {
 /// `final`, 44 for `reference`, 116 for all buffers.
 constexpr double kBytesPerPixel = 88;
 
+/// From the offset that is shown as black to the one that is white.
+constexpr float kShownOffsetsPx = 64;
+
 /// Is the renderer a program of the processor, with textures in its memory?
 bool draws_in_memory(const RendererInfo& info) {
   return info.renderer.find("llvmpipe") != std::string::npos ||
@@ -32,6 +35,7 @@ PictureView view_of(const DisplayParams& display, BufferName buffer, const std::
   if (info.shown_as == ShownAs::colour) view.channel = PictureView::kColour;
   if (info.shown_as == ShownAs::object_id) view.channel = PictureView::kObjectId;
   if (info.shown_as == ShownAs::edge_class) view.channel = PictureView::kEdgeClass;
+  if (info.shown_as == ShownAs::offset) view = {1.0F / kShownOffsetsPx, PictureView::kOffset};
   if (!range || !has_range(buffer)) return view;
   const float width = range->white - range->black;
   view.low = range->black;

@@ -51,7 +51,7 @@ bool is_text(const std::string& head) {
 
 /// Entries that only a study's spec has; `scene` is a path there and a table in a scene file.
 bool is_study(const TomlNode& document) {
-  for (const char* key : {"axis", "variant", "show", "measure", "set", "size", "purpose"}) {
+  for (const char* key : {"axis", "variant", "show", "measure", "set", "size", "purpose", "path"}) {
     if (document.find(key) != nullptr) return true;
   }
   const TomlNode* scene = document.find("scene");

@@ -18,21 +18,21 @@ int64_t ValueHistogram::largest() const {
   return result;
 }
 
-ValueHistogram histogram_of(const Image& image, int bins) {
+ValueHistogram histogram_of(const Image& image, int bins, float most) {
   assert(bins > 0);
   ValueHistogram histogram;
   const auto channels = static_cast<size_t>(image.channels);
   histogram.channels.assign(channels, std::vector<int64_t>(static_cast<size_t>(bins)));
   const std::optional<FiniteRange> range = finite_range(image);
   if (!range) return histogram;
-  const auto [low, high] = *range;
+  const float low = std::min(range->low, most), high = std::min(range->high, most);
   histogram.low = low;
   histogram.high = high;
   const double scale = high > low ? bins / (static_cast<double>(high) - low) : 0.0;
   for (size_t i = 0; i < image.samples.size(); ++i) {
     const float value = image.samples[i];
     if (!std::isfinite(value)) continue;
-    const auto bin = static_cast<int>((static_cast<double>(value) - low) * scale);
+    const auto bin = static_cast<int>((static_cast<double>(std::min(value, most)) - low) * scale);
     ++histogram.channels[i % channels][static_cast<size_t>(std::min(bin, bins - 1))];
   }
   return histogram;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "pipeline/image/image.h"
@@ -18,8 +19,8 @@ struct ValueHistogram {
 };
 
 /// Values that are not finite count nowhere; without any others low and high are 0. Where all values are the
-/// same, all are in the first bin.
-ValueHistogram histogram_of(const Image& image, int bins);
+/// same, all are in the first bin. Larger ones than `most` count as that.
+ValueHistogram histogram_of(const Image& image, int bins, float most = std::numeric_limits<float>::max());
 
 /// The height of a bar of `count` where the highest is 1: in proportion, or with each tenfold count as high a
 /// step (0 stays 0, and 1 is seen).

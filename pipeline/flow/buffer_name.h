@@ -17,6 +17,7 @@ enum class ShownAs {
   colour,      ///< The first three channels as they are.
   object_id,   ///< Each id in a colour of its own.
   edge_class,  ///< Each class of drawn lines (EdgeClass) in a colour of its own.
+  offset,      ///< The first two channels as red and green, half where they are 0.
   drawing,     ///< Curves, drawn in colours of their own.
 };
 
@@ -37,6 +38,7 @@ struct BufferInfo {
   ShownAs shown_as = ShownAs::grey;
   float DisplayParams::*gain = nullptr;  ///< What its picture is multiplied by; 1 where there is none.
   ReadAsLines as_lines = ReadAsLines::no;
+  float limit = 0.0F;  ///< The value from which on there is a line, where others say less; 0: none.
 };
 
 /// Which buffer: compared by identity, ordered by name. The constants are those that code refers to.
@@ -66,6 +68,7 @@ class BufferName {
   static const BufferName blinn_phong;     ///< Plain Blinn-Phong, whatever the ramps (3.1).
   static const BufferName object_id;  ///< 1, 2, ... in the scene's order of models, 0 where there is none.
   static const BufferName reference;  ///< Lines in object space, by class.
+  static const BufferName motion;     ///< px to where each point stood in the frame before.
 
  private:
   const BufferInfo* info_;

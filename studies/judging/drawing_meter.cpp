@@ -4,7 +4,11 @@
 #include <memory>
 #include <optional>
 
+#include "pipeline/passes/ink/coverage.h"
+#include "pipeline/passes/ink/drawn_ink.h"
+#include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/lines/reference.h"
+#include "studies/judging/cause_finder.h"
 
 namespace inkbench {
 namespace {
@@ -27,6 +31,23 @@ size_t drawn_faces(MeshStore& meshes, const Settings& settings) {
   return meshes.get(settings.models[*model], level_of(settings, *model))->face_count();
 }
 
+namespace {
+
+/// Other sizes and normals follow from the settings themselves.
+std::string causes_key(const Frame& frame) {
+  std::string text = "causes";
+  for (const Key& key : frame.pass_keys()) text += key.text();
+  return text;
+}
+
+AntialiasingTally antialiasing_of(const Frame& frame) {
+  return tally_antialiasing(frame.value<LineCoverage>()->read(0, 1),
+                            frame.value<AliasedCoverage>()->read(0, 1),
+                            frame.value<SampledCoverage>()->read(0, 1));
+}
+
+}  // namespace
+
 /// The full mesh has its own level's normals and the drawing's other settings.
 Frame DrawingMeter::with_full_mesh(const Frame& frame) {
   Settings full = frame.settings();
@@ -46,7 +67,7 @@ LineView DrawingMeter::full_view(const Frame& full) {
   return view;
 }
 
-DrawingTally DrawingMeter::tally(const Frame& frame) {
+DrawingTally DrawingMeter::tally(const Frame& frame, const Frame* before) {
   const Settings& settings = frame.settings();
   // The full mesh first, so that what is kept in the end is this drawing's, which the next may share.
   std::optional<LineView> full;
@@ -57,6 +78,10 @@ DrawingTally DrawingMeter::tally(const Frame& frame) {
   const LineView view = lines ? line_view(drawn, *lines, settings.judge) : LineView{drawn, {}, {}, {}};
   DrawingTally tally = tally_view({view, lines.get(), full ? &*full : nullptr}, settings.judge, needs_);
   if (needs_.faces) tally.faces = drawn_faces(pipeline_.meshes(), settings);
+  if (needs_.antialiasing && places_lines(settings)) tally.antialiasing = antialiasing_of(frame);
+  if (needs_.causes) tally.causes = count_causes(find_causes(pipeline_, settings));
+  if (needs_.path() && before != nullptr) tally.flicker = flicker_.tally(*before, frame);
+  if (needs_.path() && before == nullptr) flicker_.start(frame);
   return tally;
 }
 
@@ -66,11 +91,14 @@ DrawingTally DrawingMeter::tally(std::span<const Settings> views) {
   return sum;
 }
 
-Key DrawingMeter::key(const Frame& frame) {
+Key DrawingMeter::key(const Frame& frame, const Frame* before) {
   KeyBuilder builder;
+  if (needs_.path() && before != nullptr) builder.add(flicker_.key(*before, frame));
   builder.add(frame.key(BufferName::lines));
   if (needs_.reference_lines())
     builder.add(frame.key(BufferName::reference)).add(judge_text(frame.settings().judge));
+  if (needs_.antialiasing) builder.add("antialiasing");
+  if (needs_.causes) builder.add(causes_key(frame));
   if (!needs_.full_mesh()) return builder.key();
   const Frame full = with_full_mesh(frame);
   builder.add(full.key(BufferName::reference));

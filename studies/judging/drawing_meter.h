@@ -8,6 +8,7 @@
 #include <span>
 
 #include "pipeline/pipeline.h"
+#include "studies/judging/flicker_meter.h"
 #include "studies/judging/measured_lines.h"
 
 namespace inkbench {
@@ -15,16 +16,18 @@ namespace inkbench {
 class DrawingMeter {
  public:
   /// `pipeline` must outlive it.
-  DrawingMeter(Pipeline& pipeline, const MeasureNeeds& needs) : pipeline_(pipeline), needs_(needs) {}
+  DrawingMeter(Pipeline& pipeline, const MeasureNeeds& needs)
+      : pipeline_(pipeline), needs_(needs), flicker_(pipeline, needs) {}
 
-  /// Of one view, judged as its settings say. Errors: as `Frame::raw`.
-  DrawingTally tally(const Frame& frame);
+  /// Of one view, judged as its settings say; along a camera path also of what came and went since the frame
+  /// before. Errors: as `Frame::raw`.
+  DrawingTally tally(const Frame& frame, const Frame* before = nullptr);
 
   /// Of all views together.
   DrawingTally tally(std::span<const Settings> views);
 
   /// Of all that decides what `tally` gives for this view but its code.
-  Key key(const Frame& frame);
+  Key key(const Frame& frame, const Frame* before = nullptr);
 
  private:
   Frame with_full_mesh(const Frame& frame);
@@ -32,6 +35,7 @@ class DrawingMeter {
 
   Pipeline& pipeline_;
   MeasureNeeds needs_;
+  FlickerMeter flicker_;
   std::map<Key, LineView> full_lines_;    ///< The full mesh's lines in each view; `drawn` is left empty.
   std::map<Key, LineMap> full_drawings_;  ///< And its drawings, for all k's that a sweep comes back to.
 };

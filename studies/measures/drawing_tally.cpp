@@ -20,6 +20,9 @@ void DrawingTally::add(const DrawingTally& other) {
   for (size_t i = 0; i < recall.size(); ++i) recall[i].add(other.recall[i]);
   pool(ladder, other.ladder);
   pool(inner, other.inner);
+  pool(causes, other.causes);
+  pool(antialiasing, other.antialiasing);
+  pool(flicker, other.flicker);
 }
 
 DrawingTally tally_maps(const LinesToMeasure& lines) {

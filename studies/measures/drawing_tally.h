@@ -7,6 +7,9 @@
 #include <optional>
 
 #include "pipeline/lines/lines.h"
+#include "studies/measures/antialiasing.h"
+#include "studies/measures/causes.h"
+#include "studies/measures/flicker_tally.h"
 #include "studies/measures/ladder_tally.h"
 #include "studies/measures/tally.h"
 
@@ -20,6 +23,9 @@ struct DrawingTally {
   std::array<ShareCounts, kLineClasses.size()> recall;  ///< By class.
   std::optional<LadderTally> ladder;                    ///< Against the full mesh.
   std::optional<InnerTally> inner;
+  std::optional<CauseCounts> causes;              ///< Of the false and the missed pixels.
+  std::optional<AntialiasingTally> antialiasing;  ///< Of placed lines.
+  std::optional<FlickerTally> flicker;            ///< Between the frames of a path.
 
   void add(const DrawingTally& other);
 };

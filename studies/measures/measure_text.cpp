@@ -29,6 +29,14 @@ std::string needs_text(const Measure& measure) {
       return "reference lines, of the full mesh too";
     case Need::inner_lines:
       return "reference lines, the full mesh's drawing";
+    case Need::frames:
+      return "drawn lines along a camera path";
+    case Need::reference_frames:
+      return "reference lines along a camera path";
+    case Need::placed_lines:
+      return "lines of a method that places them";
+    case Need::causes:
+      return "the drawing made again with one thing changed at a time";
   }
   return "";
 }
@@ -95,6 +103,12 @@ std::vector<const Measure*> measures_of_maps(bool with_classes) {
 
 std::vector<const Measure*> all_measures() {
   return measures_that([](const Measure&) { return true; });
+}
+
+std::vector<const Measure*> measures_of_a_view(bool with_causes) {
+  return measures_that([=](const Measure& measure) {
+    return !measure.of_path() && (with_causes || measure.needs != Need::causes);
+  });
 }
 
 std::string measures_markdown() {

@@ -210,6 +210,63 @@ std::vector<Measure> ladder_rows() {
   };
 }
 
+/// What comes and goes while the camera moves.
+std::vector<Measure> path_rows() {
+  return {
+      {.key = "flicker",
+       .help = "Of the drawn lines whose place is seen from one frame to the next, this share comes or goes.",
+       .label = "flicker",
+       .better = kLess,
+       .needs = Need::frames,
+       .value = [](const Tally& t) { return t.flicker ? t.flicker->drawn.share() : std::nullopt; }},
+      {.key = "flicker_reference",
+       .help = "The same of the wanted lines: what has to change, since silhouettes slide.",
+       .label = "flicker of the reference",
+       .better = Better::neither,
+       .needs = Need::reference_frames,
+       .value = [](const Tally& t) { return t.flicker ? t.flicker->wanted.share() : std::nullopt; }},
+  };
+}
+
+/// Of lines that a method places.
+std::vector<Measure> placed_rows() {
+  return {
+      {.key = "antialiasing_error",
+       .help = "How far each pixel's ink near a line is, at the root of the mean square, from what the same "
+               "lines cover.",
+       .label = "antialiasing error",
+       .better = kLess,
+       .needs = Need::placed_lines,
+       .value = [](const Tally& t) { return t.antialiasing ? t.antialiasing->drawn_rms() : std::nullopt; }},
+      {.key = "aliased_error",
+       .help = "The same without antialiasing: what it saves.",
+       .label = "error without antialiasing",
+       .needs = Need::placed_lines,
+       .value = [](const Tally& t) { return t.antialiasing ? t.antialiasing->aliased_rms() : std::nullopt; }},
+  };
+}
+
+template <size_t index>
+Value cause_count(const Tally& tally) {
+  if (!tally.causes) return std::nullopt;
+  return static_cast<double>(tally.causes->pixels[index]);
+}
+
+template <size_t... index>
+void add_causes(std::vector<Measure>& table, std::index_sequence<index...>) {
+  const auto row = [&](const CauseInfo& info, Value (*value)(const Tally&)) {
+    const char* what = info.is_of_missed() ? "Missed pixels: " : "False pixels: ";
+    table.push_back({.key = std::string(info.key),
+                     .help = what + std::string(info.help),
+                     .label = (info.is_of_missed() ? "missed, " : "false, ") + std::string(info.name),
+                     .better = kLess,
+                     .kind = kCount,
+                     .needs = Need::causes,
+                     .value = value});
+  };
+  (row(cause_table()[index], cause_count<index>), ...);
+}
+
 std::vector<Measure> make_table() {
   std::vector<Measure> table{{.key = "faces",
                               .help = "Triangles of the main model as it is drawn.",
@@ -225,6 +282,9 @@ std::vector<Measure> make_table() {
   add(shape_rows());
   add_recalls(table, std::make_index_sequence<kLineClasses.size()>());
   add(ladder_rows());
+  add(path_rows());
+  add(placed_rows());
+  add_causes(table, std::make_index_sequence<kCauses>());
   return table;
 }
 
@@ -267,7 +327,25 @@ void MeasureNeeds::add(const Measure& measure) {
     case Need::inner_lines:
       inner = true;
       break;
+    case Need::frames:
+      frames = true;
+      break;
+    case Need::reference_frames:
+      reference_frames = true;
+      break;
+    case Need::placed_lines:
+      antialiasing = true;
+      break;
+    case Need::causes:
+      causes = true;
+      break;
   }
+}
+
+MeasureNeeds MeasureNeeds::of(std::span<const Measure* const> measures) {
+  MeasureNeeds needs;
+  for (const Measure* measure : measures) needs.add(*measure);
+  return needs;
 }
 
 MeasureNeeds MeasureNeeds::all() {
@@ -277,7 +355,8 @@ MeasureNeeds MeasureNeeds::all() {
 }
 
 bool MeasureNeeds::reference_lines() const {
-  return lines || full_mesh() || std::find(classes.begin(), classes.end(), true) != classes.end();
+  return lines || full_mesh() || reference_frames ||
+         std::find(classes.begin(), classes.end(), true) != classes.end();
 }
 
 }  // namespace inkbench

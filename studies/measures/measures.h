@@ -17,7 +17,19 @@ namespace inkbench {
 
 /// What must be known beside the scene before a measure has a value. From `reference_lines` on, reference
 /// lines are found.
-enum class Need { nothing, drawn_lines, reference_lines, polylines, reference_class, full_mesh, inner_lines };
+enum class Need {
+  nothing,
+  drawn_lines,
+  reference_lines,
+  polylines,
+  reference_class,
+  full_mesh,
+  inner_lines,
+  frames,            ///< The drawn lines along a camera path, and how points move.
+  reference_frames,  ///< The reference lines along it.
+  placed_lines,      ///< Lines of a method that places them.
+  causes,            ///< The drawing made again with one thing changed at a time.
+};
 
 enum class Better { more, less, neither };
 
@@ -39,6 +51,8 @@ struct Measure {
 
   /// Whether it compares a level of the mesh with the full one.
   bool of_level() const { return needs == Need::full_mesh || needs == Need::inner_lines; }
+  /// Whether it compares the frames of a camera path.
+  bool of_path() const { return needs == Need::frames || needs == Need::reference_frames; }
 };
 
 /// All of them, in the order in which tables show them.
@@ -57,13 +71,18 @@ struct MeasureNeeds {
   bool lines = false;  ///< And against the reference lines.
   std::array<bool, kLineClasses.size()> classes{};
   bool ladder = false, inner = false;
+  bool frames = false, reference_frames = false;
+  bool antialiasing = false, causes = false;
 
   void add(const Measure& measure);
   /// Of all measures.
   static MeasureNeeds all();
+  /// Of these.
+  static MeasureNeeds of(std::span<const Measure* const> measures);
 
   bool reference_lines() const;
   bool full_mesh() const { return ladder || inner; }
+  bool path() const { return frames || reference_frames; }
 };
 
 /// The value as shortest text that reads back exactly: counts without a point, flags as true or false; ""
@@ -79,6 +98,9 @@ std::string measures_table(std::span<const Measure* const> measures, const Drawi
 /// Those that two line maps are enough for; `with_classes`: where the wanted lines are known by class.
 std::vector<const Measure*> measures_of_maps(bool with_classes = false);
 std::vector<const Measure*> all_measures();
+
+/// Those that one picture is enough for.
+std::vector<const Measure*> measures_of_a_view(bool with_causes = false);
 
 /// What docs/measures.md shows: every measure with its unit, direction, needs and meaning.
 std::string measures_markdown();

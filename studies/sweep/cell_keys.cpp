@@ -5,6 +5,7 @@
 
 #include "pipeline/settings/settings_file.h"
 #include "studies/sweep/number_columns.h"
+#include "studies/sweep/view_frames.h"
 
 namespace inkbench {
 namespace {
@@ -26,14 +27,16 @@ bool finds_lines(const StudySpec& spec) {
 
 CellKeys cell_keys(Pipeline& pipeline, const StudySpec& spec, const Cell& cell, const ResultOrigin& origin) {
   DrawingMeter meter(pipeline, needs_of(spec));
+  ViewFrames frames(pipeline, spec);
   KeyBuilder pictures, numbers;
   pictures.add(origin.drawing_sources).add(origin.renderer);
   numbers.add(origin.drawing_sources).add(origin.measuring_sources).add(origin.renderer);
   for (size_t view = 0; view < view_count(spec); ++view) {
-    const Frame frame = pipeline.at(view_settings(spec, cell, view));
+    const ViewFrame place = frames.at(cell, view);
+    const Frame& frame = place.frame;
     pictures.add(text_without_judge(frame.settings()));
     for (const BufferName buffer : spec.show) pictures.add(name_of(buffer)).add(frame.picture_key(buffer));
-    numbers.add(meter.key(frame));
+    numbers.add(meter.key(frame, place.past()));
     if (finds_lines(spec)) numbers.add(frame.key(BufferName::reference));  // they lie beside the numbers
   }
   for (const std::string& column : number_columns(spec)) numbers.add(column);

@@ -13,6 +13,13 @@ std::vector<std::string> known_measures() {
   return names;
 }
 
+std::vector<std::string> every_measure(bool along_path) {
+  std::vector<std::string> names = known_measures();
+  if (!along_path)
+    std::erase_if(names, [](const std::string& name) { return find_measure(name)->of_path(); });
+  return names;
+}
+
 std::vector<const Measure*> study_measures(const StudySpec& spec) {
   std::vector<const Measure*> measures;
   for (const Measure& measure : measure_table()) {

@@ -14,6 +14,9 @@ struct StudySpec;
 /// What `measure` in a spec may name: all measures but those of every study.
 std::vector<std::string> known_measures();
 
+/// What `measure = true` stands for: of these, those that compare frames only along a camera path.
+std::vector<std::string> every_measure(bool along_path);
+
 /// `ink` and `ink_px`, which every study has, then the spec's measures.
 std::vector<const Measure*> study_measures(const StudySpec& spec);
 std::vector<std::string> number_columns(const StudySpec& spec);

@@ -45,8 +45,9 @@ std::vector<Loop> make_loops(Pipeline& pipeline, const StudySpec& spec) {
   if (!spec.variants.empty()) {
     loops.push_back({spec.variants.size(), stride, 0, variant_cost(pipeline, spec)});
   }
-  // The cheapest change innermost.
-  std::stable_sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) { return a.cost < b.cost; });
+  // The cheapest change innermost; but a path's frames follow each other, and each turn ends before the next.
+  std::stable_sort(loops.begin() + (spec.camera_path ? 1 : 0), loops.end(),
+                   [](const Loop& a, const Loop& b) { return a.cost < b.cost; });
   return loops;
 }
 

@@ -28,6 +28,7 @@
 #include "studies/sweep/study_folder.h"
 #include "studies/sweep/study_grid.h"
 #include "studies/sweep/study_page.h"
+#include "studies/sweep/view_frames.h"
 #include "studies/sweep/worker_pool.h"
 
 namespace inkbench {
@@ -137,9 +138,21 @@ class StudyRun {
       page.add(cell, shown, kept);
       return kept;
     });
+    add_frames_beside_the_grid(page);
     result_.page = page.write(result_.grids);
     result_.pictures_decoded = tiles_.decoded();
     tiles_.remove_others();
+  }
+
+  /// The page shows every frame of a path.
+  void add_frames_beside_the_grid(StudyPageWriter& page) {
+    for (const size_t cell : folder_.done_cells()) {
+      for (size_t shown = 0; shown < picture_count(spec_); ++shown) {
+        if (is_in_grid(spec_, shown)) continue;
+        stop_if_asked();
+        page.add(cell, shown, tiles_.get(folder_, cell, shown));
+      }
+    }
   }
 
   void draw_cells() {
@@ -173,14 +186,15 @@ class StudyRun {
   }
 
   DrawnView draw(const CellView& place) {
-    DrawnView drawn{place, view_settings(spec_, make_cell(spec_, place.cell), place.view), {}};
+    const ViewFrame at = frames_.at(make_cell(spec_, place.cell), place.view);
+    const Frame& frame = at.frame;
+    DrawnView drawn{place, frame.settings(), {}};
     drawn.is_kept = folder_.work(place.cell) == CellWork::measure;
-    const Frame frame = pipeline_.at(drawn.settings);
     for (const BufferName buffer : spec_.show) {
       if (!drawn.is_kept) drawn.pictures.push_back(frame.picture(buffer));
     }
     if (!drawn.is_kept) drawn.files = frame.used_files();
-    const DrawingTally tally = meter_.tally(frame);
+    const DrawingTally tally = meter_.tally(frame, at.past());
     const std::string overlay = finds_lines(spec_) ? write_overlay(frame) : "";
     const std::lock_guard lock(mutex_);
     OpenCell& open = open_[place.cell];
@@ -263,6 +277,7 @@ class StudyRun {
 
   Pipeline& pipeline_;
   const StudySpec& spec_;
+  ViewFrames frames_{pipeline_, spec_};
   DrawingMeter meter_{pipeline_, needs_of(spec_)};
   const StudyOptions& options_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -84,6 +84,7 @@ size_t picture_count(const StudySpec& spec) {
 
 Settings view_settings(const StudySpec& spec, const Cell& cell, size_t view) {
   Settings settings = cell_settings(spec, cell);
+  if (spec.camera_path) return settings_at(*spec.camera_path, settings, static_cast<int>(view));
   if (spec.views.empty()) return settings;
   for (const Assignment& assignment : spec.views[view].set) {
     find_param(settings, assignment.key, spec.views[view].name).set(assignment.value, spec.views[view].name);
@@ -97,8 +98,8 @@ void check_cells(const StudySpec& spec) {
     stop_if_asked();
     const Cell cell = make_cell(spec, i / view_count(spec));
     const size_t view = i % view_count(spec);
-    const Settings settings = view_settings(spec, cell, view);
     try {
+      const Settings settings = view_settings(spec, cell, view);
       check_settings(settings);
       check_files(settings, seen);
     } catch (const Error& error) {

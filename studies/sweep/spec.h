@@ -4,10 +4,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/buffers.h"
+#include "pipeline/settings/camera_path.h"
 #include "pipeline/settings/settings.h"
 #include "studies/report/chart.h"
 
@@ -45,8 +47,9 @@ struct StudySpec {
   std::vector<NamedSet> variants;     ///< Laid out where the axes end: columns, rows or pages.
   /// What each cell is drawn and measured from, all together: cameras, as a rule. Empty: once, as it is.
   std::vector<NamedSet> views;
-  std::vector<std::string> assignments;  ///< `--set` texts that came on top.
-  std::vector<Chart> charts;             ///< Of data.csv.
+  std::optional<CameraPath> camera_path;  ///< Its frames are the views, which set nothing else.
+  std::vector<std::string> assignments;   ///< `--set` texts that came on top.
+  std::vector<Chart> charts;              ///< Of data.csv.
 };
 
 /// One cell: its place in the grid and what it changes.

@@ -33,13 +33,14 @@ class SpecReader {
 
   StudySpec read(const std::vector<std::string>& assignments) {
     toml_.check_keys(document_, {"title", "purpose", "scene", "size", "show", "grid_px", "measure", "set",
-                                 "axis", "variant", "view", "chart"});
+                                 "axis", "variant", "view", "path", "chart"});
     spec_.title = toml_.text_entry(document_, "title", path_.stem().string());
     spec_.purpose = toml_.text_entry(document_, "purpose", "");
     spec_.base = load_scene_file(scene_path());
     read_size();
     read_show();
     read_grid_px();
+    if (const TomlNode* path = document_.find("path")) spec_.camera_path = read_path(*path, path_.string());
     read_measures();
     read_set();
     for (const std::string& assignment : assignments) apply_assignment(spec_.base, assignment);
@@ -117,26 +118,36 @@ class SpecReader {
     if (node == nullptr) return;
     const std::vector<std::string> known = known_measures();
     if (node->kind == TomlNode::Kind::boolean) {
-      if (node->boolean) spec_.measures = known;
+      if (node->boolean) spec_.measures = every_measure(spec_.camera_path.has_value());
       return;
     }
     if (!node->is_array()) {
       throw input_error(toml_.at(*node), "measure is " + node->kind_name(),
                         "it must be true, or a list of measures");
     }
-    for (const TomlNode& item : node->items) {
-      const std::string name = toml_.text_of(item, "measure");
-      const std::string_view new_name = renamed_measure(name);
-      if (!new_name.empty())
-        throw input_error(toml_.at(item), "the measure '" + name + "' has another name now",
-                          "write \"" + std::string(new_name) + "\"");
-      if (std::find(known.begin(), known.end(), name) == known.end()) {
-        throw input_error(toml_.at(item), "unknown measure '" + name + "'", suggest(name, known));
-      }
-      if (std::find(spec_.measures.begin(), spec_.measures.end(), name) == spec_.measures.end()) {
-        spec_.measures.push_back(name);
-      }
-    }
+    for (const TomlNode& item : node->items) add_measure(item, known);
+  }
+
+  void add_measure(const TomlNode& item, const std::vector<std::string>& known) {
+    const std::string name = toml_.text_of(item, "measure");
+    const std::string_view new_name = renamed_measure(name);
+    if (!new_name.empty())
+      throw input_error(toml_.at(item), "the measure '" + name + "' has another name now",
+                        "write \"" + std::string(new_name) + "\"");
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw input_error(toml_.at(item), "unknown measure '" + name + "'", suggest(name, known));
+    const bool compares_frames = find_measure(name)->of_path();
+    if (compares_frames && !spec_.camera_path)
+      throw input_error(toml_.at(item),
+                        "the measure '" + name + "' compares the frames of a path, and there is none",
+                        "add a table [path], such as frames = 36");
+    const auto add = [&](const std::string& key) {
+      const bool is_new =
+          std::find(spec_.measures.begin(), spec_.measures.end(), key) == spec_.measures.end();
+      if (is_new) spec_.measures.push_back(key);
+    };
+    if (compares_frames) add("recall");  // an empty drawing does not flicker
+    add(name);
   }
 
   void check_assignments(const std::vector<std::string>& assignments) {
@@ -171,6 +182,10 @@ class SpecReader {
     for (const Axis& axis : spec_.axes) count *= static_cast<double>(axis.values.size());
     if (count > kMaxCells)
       throw input_error(path_.string(), fmt::format("{:.0f} cells", count),
+                        "at most " + with_commas(kMaxCells));
+    const double frames = spec_.camera_path ? count * spec_.camera_path->frames : 0;
+    if (frames > kMaxCells)
+      throw input_error(path_.string(), fmt::format("{:.0f} frames in all cells", frames),
                         "at most " + with_commas(kMaxCells));
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/sweep/spec_sets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "pipeline/base/error.h"
@@ -40,6 +42,10 @@ class SetsReader {
 
   std::vector<NamedSet> views(const TomlNode& document) {
     const std::vector<const TomlNode*> tables = tables_of(document, "view");
+    if (spec_.camera_path && !tables.empty())
+      throw input_error(toml_.at(*tables.front()), "a [[view]] beside a [path]",
+                        "leave one of them out: the frames of the path are the views");
+    if (spec_.camera_path) return frames(*spec_.camera_path);
     const std::vector<NamedSet> sets = named_sets("view", tables);
     for (size_t i = 0; i < sets.size(); ++i) {
       const std::string where = toml_.at(*tables[i]);
@@ -50,6 +56,14 @@ class SetsReader {
   }
 
  private:
+  /// Named so that they sort, and that programs that read numbered pictures find them.
+  static std::vector<NamedSet> frames(const CameraPath& path) {
+    const size_t digits = std::max<size_t>(3, std::to_string(path.frames - 1).size());
+    std::vector<NamedSet> sets;
+    for (int i = 0; i < path.frames; ++i) sets.push_back({fmt::format("frame_{:0{}}", i, digits), {}});
+    return sets;
+  }
+
   std::vector<const TomlNode*> tables_of(const TomlNode& document, const std::string& kind) const {
     const std::vector<const TomlNode*> tables = toml_.tables(document, kind);
     const TomlNode* list = document.find(kind);

@@ -17,10 +17,21 @@ namespace inkbench {
 /// The labels of the columns (`index` 0), rows or pages; one empty text where there are none.
 GridAxis grid_axis(const StudySpec& spec, size_t index);
 
+/// Along a camera path the columns are its frames, every second, third, ... where there are many, the first
+/// axis makes rows and all others together pages. Whether the grid shows this one of a cell's pictures,
+/// counted by view and buffer.
+bool is_in_grid(const StudySpec& spec, size_t shown);
+
+/// The frames of the path that the grid shows, in order; all of a spec's views without a path.
+std::vector<size_t> views_in_grid(const StudySpec& spec);
+
+/// What people call a view: its name, or how far the camera is turned ("10°").
+std::string view_label(const StudySpec& spec, size_t view);
+
 /// A cell of the grid: its pictures side by side, or where one cell is the whole study, one of them.
 struct CellLayout {
   bool one_picture = false;         ///< A cell of the grid is one picture, at its own size.
-  size_t pictures = 1;              ///< In a cell.
+  size_t pictures = 1;              ///< In a cell of the grid; the study's cell may be several of them.
   int picture_width_px = 0;         ///< As the spec says it; one of another size is cut or stands on white.
   int width_px = 0, height_px = 0;  ///< As it is.
   int room_width_px = 0, room_height_px = 0;  ///< Of a cell on the sheet.

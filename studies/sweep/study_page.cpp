@@ -66,7 +66,8 @@ std::vector<std::string> facts(const StudySpec& spec, const StudyFolder& folder,
   const size_t count = cell_count(spec);
   const size_t failed = count - folder.done_count();
   const ImageParams& image = spec.base.image;
-  return {counted(count, "cell", "cells") + (sides.size() > 1 ? " (" + join(sides, " × ") + ")" : ""),
+  const std::string along = spec.camera_path ? " along " + counted(view_count(spec), "frame", "frames") : "";
+  return {counted(count, "cell", "cells") + (sides.size() > 1 ? " (" + join(sides, " × ") + ")" : "") + along,
           std::to_string(image.width) + " × " + std::to_string(image.height) + " px",
           spec.show.size() == 1 ? std::string(name_of(spec.show.front()))
                                 : counted(spec.show.size(), "buffer", "buffers"),
@@ -93,8 +94,7 @@ StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const Stud
   page.facts = facts(spec, folder, origin);
   page.width_px = spec.base.image.width;
   page.height_px = spec.base.image.height;
-  if (spec.views.empty()) page.views = {""};
-  for (const NamedSet& view : spec.views) page.views.push_back(view.name);
+  for (size_t view = 0; view < view_count(spec); ++view) page.views.push_back(view_label(spec, view));
   for (const BufferName buffer : spec.show) page.buffers.emplace_back(name_of(buffer));
   page.axes = page_axes(spec);
   page.columns = page_columns(spec, folder);

@@ -140,6 +140,19 @@ glm::dvec3 pixel_eye(const CameraParams& camera, int x, int y, int width_px, int
   return dvec3(camera.eye) + across(camera, {x + 0.5, y + 0.5}, {width_px, height_px}, camera.view_height);
 }
 
+glm::dvec3 seen_at(const Settings& settings, const glm::dvec3& world) {
+  const CameraParams& camera = settings.camera;
+  const dvec3 forward = glm::normalize(dvec3(camera.target) - dvec3(camera.eye));
+  const dvec3 right = glm::normalize(glm::cross(forward, dvec3(camera.up)));
+  const dvec3 up = glm::cross(right, forward);
+  const dvec3 from_eye = world - dvec3(camera.eye);
+  const double distance = glm::dot(from_eye, forward);
+  const double half_height = std::tan(glm::radians(static_cast<double>(camera.fov)) / 2.0);
+  const double px = settings.image.height / (2.0 * half_height * distance);
+  return {settings.image.width / 2.0 + px * glm::dot(from_eye, right),
+          settings.image.height / 2.0 - px * glm::dot(from_eye, up), distance};
+}
+
 Surface cast_rays(const Settings& settings) {
   const int width = settings.image.width;
   const int height = settings.image.height;

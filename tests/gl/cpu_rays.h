@@ -22,6 +22,9 @@ glm::dvec3 pixel_ray(const CameraParams& camera, int x, int y, int width_px, int
 /// Where that ray starts, in the plane through the eye: the eye itself in perspective views.
 glm::dvec3 pixel_eye(const CameraParams& camera, int x, int y, int width_px, int height_px);
 
+/// px to the right and down to where a point of the world is seen, and its distance along the view axis.
+glm::dvec3 seen_at(const Settings& settings, const glm::dvec3& world);
+
 /// Boxes, spheres (also inside out) and planes, exactly, between the near and the far plane.
 Surface cast_rays(const Settings& settings);
 

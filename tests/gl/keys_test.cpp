@@ -143,6 +143,9 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
       {BufferName::coverage, {"meshes", "gbuffer", "gradient", "range", "combine", "lines"}},
       {BufferName::edge_strength, {"meshes", "gbuffer", "gradient", "range", "paper_strength"}},
       {BufferName::edge_class, {"meshes", "gbuffer", "gradient", "range", "paper_strength"}},
+      {BufferName::motion, {"meshes", "gbuffer", "motion"}},
+      {BufferName::pair_angles, {"meshes", "gbuffer", "pairs"}},
+      {BufferName::pair_gaps, {"meshes", "gbuffer", "pairs"}},
       {BufferName::shaded, {"meshes", "gbuffer", "shade"}},
       {BufferName::blinn_phong, {"meshes", "gbuffer", "blinn_phong"}},
       {BufferName::final, with_meshes(kFloatChain)}};
@@ -158,7 +161,7 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
 TEST(Keys, all_buffers_together_run_each_pass_once) {
   Pipeline pipeline;
   Names expected = with_meshes(kFloatChain);
-  expected.insert({"blinn_phong", "lines", "paper_strength"});
+  expected.insert({"blinn_phong", "lines", "paper_strength", "motion", "pairs"});
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
                             for (const BufferName buffer : framebuffers())

@@ -26,10 +26,10 @@ TEST(BufferNames, the_table_has_them_by_their_number_keys) {
   EXPECT_EQ(
       buffer_list(),
       "normal, depth, normal_edges, depth_edges, combined_edges, shaded, final, blinn_phong, object_id, "
-      "reference, lines");
+      "reference, lines, motion");
   std::string keys;
   for (const BufferName buffer : all_buffers()) keys += std::to_string(buffer.info().number_key);
-  EXPECT_EQ(keys, "1234567890-1");
+  EXPECT_EQ(keys, "1234567890-1-1");
 }
 
 TEST(BufferNames, the_order_given_is_kept_and_each_comes_once) {

@@ -548,5 +548,37 @@ TEST(BundledSpecs, the_k_sweep_has_the_papers_choice_in_its_middle) {
   EXPECT_NEAR(middle.combine.k_normal, 0.0125F, 1e-8F);
 }
 
+TEST(Spec, frames_of_a_path_are_views_of_every_cell) {
+  const StudySpec spec = parse("[path]\nframes = 4\naxis = [0, 1, 0]\ndegrees = 360\n" +
+                               axis("camera.eye.z", "values = [3, 5]") +
+                               "[set]\ncamera.eye = [0, 0, 1]\ncamera.target = [0, 0, 0]\n");
+  EXPECT_EQ(cell_count(spec), 2U);
+  EXPECT_EQ(view_count(spec), 4U);
+  EXPECT_EQ(spec.views[3].name, "frame_003");
+  const Cell far_cell = make_cell(spec, 1);
+  EXPECT_EQ(view_settings(spec, far_cell, 0).camera.eye, glm::vec3(0, 0, 5)) << "the cell's own camera turns";
+  EXPECT_NEAR(view_settings(spec, far_cell, 1).camera.eye.x, 5, 1e-5);
+  EXPECT_EQ(cell_settings(spec, far_cell).camera.eye, glm::vec3(0, 0, 5));
+}
+
+TEST(Spec, numbers_of_frames_have_as_many_digits_as_the_last) {
+  EXPECT_EQ(parse("[path]\nframes = 2\n").views[1].name, "frame_001");
+  EXPECT_EQ(parse("[path]\nframes = 1001\n").views[0].name, "frame_0000");
+}
+
+TEST(Spec, flicker_is_measured_along_a_path_alone_and_never_without_recall) {
+  const auto measures = [](const std::string& text) { return parse(text).measures; };
+  EXPECT_THAT(measures("measure = [\"flicker\", \"f1\"]\n[path]\n"), ElementsAre("recall", "flicker", "f1"));
+  EXPECT_THAT(measures("measure = true\n[path]\n"), testing::Contains("flicker_reference"));
+  EXPECT_THAT(measures("measure = true\n"), testing::Not(testing::Contains("flicker_reference")));
+  EXPECT_THAT(parse_error("measure = [\"flicker\"]\n"), StartsWith(at(1, "the measure 'flicker' compares")));
+}
+
+TEST(Spec, more_frames_than_any_disk_holds_are_refused) {
+  EXPECT_THAT(parse_error("[path]\nframes = 3600\n" +
+                          axis("combine.k_depth", "from = 0.001\nto = 0.1\ncount = 9999")),
+              HasSubstr("frames in all cells; at most 10,000,000"));
+}
+
 }  // namespace
 }  // namespace inkbench

@@ -11,6 +11,7 @@
 #include "app/window/theme.h"
 #include "app/window/typing_wish.h"
 #include "app/window/word_list.h"
+#include "app/workbench/group_switches.h"
 #include "pipeline/base/text.h"
 
 namespace inkbench {
@@ -87,6 +88,22 @@ void ParametersPanel::draw_search() {
   ui_map_.mark_item("only changed");
 }
 
+/// The group's switches, side by side; the one whose values are set is on.
+void ParametersPanel::draw_switches(const Settings& settings, const std::string& group) {
+  bool is_first = true;
+  for (const GroupSwitch& each : group_switches()) {
+    if (each.group != group) continue;
+    if (!is_first) ImGui::SameLine();
+    is_first = false;
+    if (toggle_button(std::string(each.label).c_str(), each.is_on(settings), each.help)) {
+      Settings changed = settings;
+      each.apply(changed);
+      document_.replace(changed, std::string(each.step));
+    }
+    ui_map_.mark_item("switch:" + std::string(each.label));
+  }
+}
+
 bool ParametersPanel::draw_group(const Settings& settings, const ParamGroup& group,
                                  const ParamGroup* baseline) {
   const bool searching = !search_.empty() || only_changed_;
@@ -106,6 +123,7 @@ bool ParametersPanel::draw_group(const Settings& settings, const ParamGroup& gro
   if (draw_heading(ui_map_, group, open, is_changed(group, baseline)) && !searching)
     layout_.open_groups = with_word(layout_.open_groups, group.prefix, !was_open);
   if (open) {
+    draw_switches(settings, group.prefix);
     const float name_width = std::round(ImGui::GetContentRegionAvail().x * 0.40F);
     for (RowContext& row : rows) {
       row.name_width = name_width;

@@ -32,6 +32,7 @@ class ParametersPanel {
   void draw_search();
   void draw_nothing_found();
   /// Returns whether any of it is shown.
+  void draw_switches(const Settings& settings, const std::string& group);
   bool draw_group(const Settings& settings, const ParamGroup& group, const ParamGroup* baseline);
   bool is_found(const std::string& key, const Field& field) const;
 

@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kBins = 128;
 constexpr float kHeight = 62, kReach = 7;
+constexpr float kLimits = 4;     ///< Strengths, which have no upper end, are shown up to so many limits.
 constexpr double kLongMs = 6.0;  ///< Longer ones wait until nothing is dragged.
 
 void draw_channel(ImVec2 low, ImVec2 high, const ValueHistogram& histogram, size_t channel, float from,
@@ -64,7 +65,9 @@ void HistogramView::refresh(const Frame& drawn, BufferName buffer) {
   const bool same = buffer == buffer_ && !histogram_.channels.empty();
   if (same && document_.is_editing() && took_ms_ > kLongMs) return;
   const auto start = std::chrono::steady_clock::now();
-  histogram_ = histogram_of(drawn.raw(buffer), kBins);
+  const float limit = buffer.info().limit;
+  histogram_ = limit > 0 ? histogram_of(drawn.raw(buffer), kBins, kLimits * limit)
+                         : histogram_of(drawn.raw(buffer), kBins);
   took_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   key_ = key;
   buffer_ = buffer;
@@ -160,6 +163,12 @@ void HistogramView::draw(BufferName buffer) {
   for (size_t c = 0; c < histogram_.channels.size(); ++c)
     draw_channel(low, high, histogram_, c, x_of(histogram_.low), x_of(histogram_.high),
                  grey ? theme().faint : kColours[c % 3], log_);
+  if (const float limit = buffer.info().limit; limit > axis_.low && limit < axis_.high) {
+    const float x = std::round(x_of(limit));
+    list.AddLine({x, low.y}, {x, high.y}, theme().text, scaled(1));
+    list.AddText({x + scaled(3), low.y}, theme().text, "limit");
+    mark("mark:limit", x - 1, x + 1);
+  }
   draw_mark_at(std::round(x_of(range.black)), low, high, IM_COL32(0, 0, 0, 255), hot);
   draw_mark_at(std::round(x_of(range.white)), low, high, IM_COL32(255, 255, 255, 255), hot);
   if (dragged_ < 0)

@@ -74,7 +74,7 @@ void measure_row(UiMap& ui_map, StudyForm& form) {
   row_name("Measure");
   bool on = !form.request.measures.empty();
   if (ImGui::Checkbox("##measure", &on))
-    form.request.measures = on ? known_measures() : std::vector<std::string>();
+    form.request.measures = on ? every_measure(false) : std::vector<std::string>();
   ui_map.mark_item("measure");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();

@@ -111,6 +111,19 @@ class DihedralDetector final : public EdgeDetector {
   BufferName strength() const override { return BufferName::edge_strength; }
   std::optional<BufferName> line_class() const override { return BufferName::edge_class; }
 
+  bool has_normal_term(const Settings& settings) const override {
+    return settings.dihedral.normals != BendNormals::surface;
+  }
+  bool sees_facets(const Settings& settings) const override {
+    return settings.dihedral.normals != BendNormals::shading || EdgeDetector::sees_facets(settings);
+  }
+  bool tells_objects(const Settings&) const override { return true; }
+  std::optional<Settings> without_depth_term(const Settings& settings) const override {
+    Settings without = settings;
+    without.dihedral.gap = kMostGap;
+    return without;
+  }
+
   Explanation explain(const PerBuffer<Image>& maps, const Settings& settings, int x, int y) const override {
     const DihedralParams& params = settings.dihedral;
     const double weak = settings.edges.weak;

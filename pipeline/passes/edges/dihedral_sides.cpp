@@ -8,11 +8,11 @@ namespace inkbench {
 namespace {
 
 // Those of shaders/lib/pair_map.glsl.
-constexpr double kLargestGap = 50000.0, kMeetingGap = 0.005;
+constexpr double kLargestGap = 49152.0, kMeetingGap = 1.0 / 256.0;
 
 PixelSide side_of(double angle, double gap, double sign, const DihedralParams& params, double weak) {
   const double apart = std::abs(gap);
-  const bool meets = apart <= kMeetingGap + 1e-5;
+  const bool meets = apart <= kMeetingGap;
   const double step_strength = meets ? 0.0 : apart / params.gap;
   const bool is_step = step_strength >= weak;
   const EdgeClass bend = params.normals == BendNormals::shading ? EdgeClass::normal : EdgeClass::crease;

@@ -32,6 +32,17 @@ class EdgeDetector {
   /// Why the pixel (x, y) of `maps` is a line or not. They are the raw values of `maps()`, all of one size,
   /// of which the image's edges are edges only. `drawn` is left 0.
   virtual Explanation explain(const PerBuffer<Image>& maps, const Settings& settings, int x, int y) const = 0;
+
+  // --- what its lines can come from, for finding out why one is false (studies/judging/cause_finder.h) ---
+
+  /// Does it look at shading normals?
+  virtual bool has_normal_term(const Settings& settings) const = 0;
+  /// Does it see edges of the mesh that bend a little, by flat faces' normals or by the surface itself?
+  virtual bool sees_facets(const Settings& settings) const;
+  /// Does it draw where two objects meet because they are two?
+  virtual bool tells_objects(const Settings& settings) const = 0;
+  /// The settings without what makes lines of differences in depth alone; nothing where it has no such term.
+  virtual std::optional<Settings> without_depth_term(const Settings& settings) const = 0;
 };
 
 /// All of them.

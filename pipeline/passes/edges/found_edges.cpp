@@ -12,7 +12,8 @@ namespace {
 constexpr BufferInfo kEdgeStrength{
     .name = "edge_strength",
     .help = "How much of what makes a line the detector sees: 1 is at the limit.",
-    .gain = &DisplayParams::strength_gain};
+    .gain = &DisplayParams::strength_gain,
+    .limit = 1.0F};
 constexpr BufferInfo kEdgeClass{.name = "edge_class",
                                 .help =
                                     "What each detected pixel is of: object, silhouette, crease, normal, "

@@ -74,6 +74,14 @@ class PaperDetector final : public EdgeDetector {
     result.verdict = verdict_text(why);
     return result;
   }
+
+  bool has_normal_term(const Settings& settings) const override { return settings.combine.use_normal; }
+  bool tells_objects(const Settings&) const override { return false; }
+  std::optional<Settings> without_depth_term(const Settings& settings) const override {
+    Settings without = settings;
+    without.combine.use_depth = false;
+    return settings.combine.use_depth ? std::optional(without) : std::nullopt;
+  }
 };
 
 }  // namespace

@@ -24,6 +24,10 @@ bool draws_as_published(const Settings& settings) {
 
 }  // namespace
 
+bool places_lines(const Settings& settings) {
+  return !is_papers_ink(settings) && !draws_as_published(settings);
+}
+
 size_t DrawnInk::chosen(const Settings& settings) {
   if (is_papers_ink(settings)) return 0;
   return draws_as_published(settings) ? 1 : 2;

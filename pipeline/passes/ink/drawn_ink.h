@@ -15,6 +15,9 @@ struct DrawnInk {
   static size_t chosen(const Settings& settings);
 };
 
+/// Does the method place lines that have a width, and draw those?
+bool places_lines(const Settings& settings);
+
 /// Is the value the paper's combined edges, of which whatever is not 0 is ink?
 inline bool is_papers_ink(const Settings& settings) {
   return settings.edges.method == EdgeMethod::paper;

@@ -14,13 +14,14 @@ struct PictureView {
 
   static constexpr int kColour = -1;     ///< The first three channels as colour.
   static constexpr int kObjectId = -2;   ///< Red as an object's id, each in a colour of its own.
-  static constexpr int kEdgeClass = -3;  ///< Green as a class of lines.
+  static constexpr int kOffset = -3;     ///< Red and green as signed lengths: half is 0.
+  static constexpr int kEdgeClass = -4;  ///< Green as a class of lines.
 };
 
 class PicturePass {
  public:
   explicit PicturePass(const GeneratedSources& generated);
-  /// Out: rgba8; (value - low) * gain, clamped to 0 to 1.
+  /// Out: rgba8; (value - low) * gain, clamped to 0 to 1; of offsets 0.5 more.
   Texture run(const PictureView& view, const Texture& buffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
