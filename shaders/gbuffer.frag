@@ -25,7 +25,7 @@ void main() {
   normal_and_depth = vec4(0.5 * side * normalize(normal_world) + 0.5, depth);
   object_id = draw.object_id;
   surface = vec4(0.0);
-  for (int turn = 0; turn < surface_draw.is_wanted; ++turn) {  // a loop without turns costs nothing
+  for (int turn = 0; turn < surface_draw.is_wanted; ++turn) {  // one turn or none
     vec3 normal = normalize(mat3(surface_draw.normal_to_view) * texelFetch(face_normals, gl_PrimitiveID).xyz);
     surface = surface_of(normal, ray_through(gl_FragCoord.xy - surface_draw.middle_px), depth * draw.far, draw.object_id);
   }

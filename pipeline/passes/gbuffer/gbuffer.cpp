@@ -57,11 +57,6 @@ glm::vec4 model_to_distance(const glm::mat4& world_to_view, const DrawItem& item
   return -glm::row(world_to_view * item.model_to_world, 2);
 }
 
-/// Does the settings' detector read the triangles' planes?
-bool needs_surface(const Settings& settings) {
-  return settings.edges.method == EdgeMethod::dihedral;
-}
-
 /// Run with: bool. It is in no key, since it changes none of the other maps (`lacks_part`).
 struct SurfaceWanted {
   SurfaceWanted bind(Flow&) const { return *this; }
@@ -82,6 +77,10 @@ constinit const BufferName BufferName::object_id{kObjectId};
 
 bool GBufferPass::lacks_part(const GBuffer& held, const Settings& settings) {
   return needs_surface(settings) && held.surface.id() == 0;
+}
+
+bool needs_surface(const Settings& settings) {
+  return settings.edges.method == EdgeMethod::dihedral;
 }
 
 const PassKind& GBufferPass::kind() {

@@ -23,6 +23,9 @@ struct GBuffer {
                     ///< without storage where it was not asked for.
 };
 
+/// Does the settings' detector read the triangles' planes?
+bool needs_surface(const Settings& settings);
+
 class GBufferPass {
  public:
   using Value = GBuffer;
