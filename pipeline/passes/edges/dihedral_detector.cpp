@@ -108,8 +108,6 @@ class DihedralDetector final : public EdgeDetector {
   }
   /// Whether the pixels around are lines depends on their own neighbours.
   int reach_px() const override { return 2; }
-  BufferName strength() const override { return BufferName::edge_strength; }
-  std::optional<BufferName> line_class() const override { return BufferName::edge_class; }
 
   bool has_normal_term(const Settings& settings) const override {
     return settings.dihedral.normals != BendNormals::surface;
@@ -129,7 +127,7 @@ class DihedralDetector final : public EdgeDetector {
     const double weak = settings.edges.weak;
     const Sides sides =
         pixel_sides(maps[BufferName::pair_angles], maps[BufferName::pair_gaps], params, weak, x, y);
-    Explanation result{.detector = std::string(name()), .x = x, .y = y};
+    Explanation result{.detector = std::string(name()), .x = x, .y = y, .by_largest = true};
     result.terms = {
         term_of("angle", "Angle to the neighbours", sides, &PixelSide::angle_deg, params.angle, "deg"),
         term_of("gap", "Gap to the neighbours", sides, &PixelSide::gap_px, params.gap, "px")};
