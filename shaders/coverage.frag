@@ -13,6 +13,10 @@ vec4 seed_at(ivec2 at) {
   return place == at && seed.a > 0.5 && ivec2(floor(seed.xy)) == at ? seed : vec4(0.0);
 }
 
+vec4 seed_nearby(ivec2 at) { return seed_at(at); }
+
+bool has_seed(ivec2 at) { return seed_at(at).a > 0.5; }
+
 #include "lib/pieces.glsl"
 
 float coverage_of(vec2 here, vec4 from, int found, int rows) {

@@ -6,23 +6,26 @@
 #include "lib/placed.glsl"
 
 uniform sampler2D placed_map;
-uniform sampler2D tile_map;  // a texel for 8 x 8 pixels: above 0 where one has a line
 uniform sampler2D normal_and_depth_map;
 layout(location = 0) out vec2 ink;  // coverage, class / 255
 
 #include "lib/line_width.glsl"
 
-vec4 seed_at(ivec2 at) {
+// Outside the image that of the nearest pixel in it, where that is found anyway.
+vec4 seed_nearby(ivec2 at) {
+  ivec2 place = clamp(at, ivec2(0), textureSize(placed_map, 0) - 1);
+  Placed line = unpacked_line(texelFetch(placed_map, place, 0));
+  float width = even_width(line);
+  return vec4(vec2(place) + 0.5 + line.offset, 0.5 * width, width > 0.0 ? line.line_class : 0.0);
+}
+
+bool has_seed(ivec2 at) {
   ivec2 place = clamp(at, ivec2(0), textureSize(placed_map, 0) - 1);
   vec4 texel = texelFetch(placed_map, place, 0);
-  Placed line = unpacked_line(texel);
-  float width = even_width(line);
-  bool is_seed = place == at && is_placed(texel) && width > 0.0;
-  return vec4(vec2(at) + 0.5 + line.offset, 0.5 * width, is_seed ? line.line_class : 0.0);
+  return place == at && is_placed(texel) && class_width(floor(texel.b * 255.0 + 0.5)) * texel.a > 0.0;
 }
 
 #include "lib/pieces.glsl"
-#include "lib/tiles.glsl"
 
 float coverage_of(vec2 here, vec4 from, int found, int rows) {
   Foot foot = nearest_foot(here, from, found, rows);
@@ -33,17 +36,21 @@ float coverage_of(vec2 here, vec4 from, int found, int rows) {
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  int reach = has_line_in(at - coverage.reach_px, at + coverage.reach_px) ? coverage.reach_px : -1;
+  int reach = coverage.reach_px;
   vec4 nearest = vec4(0.0);
-  float least = 1e30;
+  float least = 1e29;  // of the squared distance less the squared half width: no root, and the wider of two lines is nearer
   for (int dy = -reach; dy <= reach; ++dy) {
-    for (int dx = -reach; dx <= reach; ++dx) {
-      vec4 seed = seed_at(at + ivec2(dx, dy));
-      float ends = seed.a > 0.5 ? distance(seed.xy, gl_FragCoord.xy) - seed.z : 1e30;
-      bool is_nearer = ends < least;
-      least = is_nearer ? ends : least;
+    // No point of a pixel beyond this can be the nearest of a line that touches this one.
+    float rise = max(abs(float(dy)) - 0.5, 0.0);
+    int span = int(sqrt(max(coverage.farthest * coverage.farthest - rise * rise, 0.0)) + 0.5);
+    for (int dx = -span; dx <= span; ++dx) {
+      vec4 seed = seed_nearby(at + ivec2(dx, dy));
+      vec2 away = seed.xy - gl_FragCoord.xy;
+      float power = dot(away, away) - seed.z * seed.z + (seed.a > 0.5 ? 0.0 : 1e30);
+      bool is_nearer = power < least;
+      least = is_nearer ? power : least;
       nearest = is_nearer ? seed : nearest;
     }
   }
-  ink = ink_of(at, nearest, least < farthest_beyond);
+  ink = ink_of(at, nearest, nearest.a > 0.5 && distance(nearest.xy, gl_FragCoord.xy) < nearest.z + farthest_beyond);
 }

@@ -82,9 +82,10 @@ void draw_full_screen() {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void draw_strips(int vertices, int strips) {
+void draw_points(int count) {
+  glEnable(GL_PROGRAM_POINT_SIZE);
   glBindVertexArray(GlContext::current().empty_vertex_array().id());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertices, strips);
+  glDrawArrays(GL_POINTS, 0, count);
 }
 
 }  // namespace inkbench

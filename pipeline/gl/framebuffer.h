@@ -27,8 +27,7 @@ class RenderTarget {
 /// Draws one triangle over the whole target with the program in use.
 void draw_full_screen();
 
-/// Draws triangle strips of so many vertices, which the program in use places by their number and their
-/// strip's.
-void draw_strips(int vertices, int strips);
+/// Draws so many points, which the program in use places by their number and gives a size.
+void draw_points(int count);
 
 }  // namespace inkbench

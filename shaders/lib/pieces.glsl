@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A line as the pieces between the points of linked pixels, and the share of a pixel that it covers. A seed is a line's
 // point in pixels from the lower left corner, half the line's width there, and its class, 0 where there is none. Needs
-// `vec4 seed_at(ivec2 at)`.
+// `bool has_seed(ivec2 at)` and, of pixels that have one, `vec4 seed_nearby(ivec2 at)`.
 
 layout(std140) uniform coverage_block {
   int samples;  // a side: in or out at so many by so many points of a pixel; 0: the exact share
-  int reach_px;  // how far from a pixel its line's point can be
+  int reach_px;  // how far from a pixel the pixel of its line's nearest point can be, along a row or column
+  float farthest;  // how far from its centre that point can be
 } coverage;
 
 // A pixel that a line touches lies no farther beyond the line's half width from the line's nearest point: its corner is 0.71
@@ -43,7 +44,7 @@ ivec2 step_of(int i) { return ivec2(i % 3, i / 3) - 1; }
 int seeds_around(ivec2 of_line, int rows) {
   int found = 0;
   for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < 3; ++x) found |= seed_at(of_line + ivec2(x, y) - 1).a > 0.5 ? 1 << (3 * y + x) : 0;
+    for (int x = 0; x < 3; ++x) found |= has_seed(of_line + ivec2(x, y) - 1) ? 1 << (3 * y + x) : 0;
   return found & ~16;
 }
 
@@ -60,7 +61,7 @@ Foot nearest_foot(vec2 here, vec4 from, int found, int rows) {
   bool alone = true;
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < 3; ++x) {
-      Foot foot = foot_on(here, from, seed_at(ivec2(floor(from.xy)) + ivec2(x, y) - 1));
+      Foot foot = foot_on(here, from, seed_nearby(ivec2(floor(from.xy)) + ivec2(x, y) - 1));
       bool is_nearer = is_linked(found, 3 * y + x) && (alone || foot.away - foot.half_width < nearest.away - nearest.half_width);
       alone = alone && !is_nearer;
       nearest.away = is_nearer ? foot.away : nearest.away;

@@ -13,7 +13,8 @@ namespace inkbench {
 struct CoverageBlock {
   int samples;
   int reach_px;
-  int padding[2];
+  float farthest;
+  int padding;
 };
 inline const UniformBlock kCoverageBlock{"coverage_block", sizeof(CoverageBlock)};
 Buffer coverage_buffer(const CoverageBlock& block);

@@ -15,12 +15,11 @@ namespace {
 
 constexpr float kMostHalfPx = 2.0F;
 
-/// How far from a pixel that a line touches the pixel of its nearest point can be, along a row or column. The
-/// pixel's corner is 0.71 from its centre; two points in a row are at most 1.5 apart; a point lies up to half
-/// a pixel from its own pixel's centre.
-int reach_of(float half_px) {
+/// How far from the centre of a pixel that a line touches the line's nearest point can be: the pixel's corner
+/// is 0.71 from its centre, and two points in a row are at most 1.5 apart.
+float farthest_point(float half_px) {
   const float to_piece = half_px + 0.71F;
-  return static_cast<int>(std::sqrt(to_piece * to_piece + 0.75F * 0.75F) + 0.5F);
+  return std::sqrt(to_piece * to_piece + 0.75F * 0.75F);
 }
 
 }  // namespace
@@ -53,8 +52,10 @@ NarrowCoveragePass::NarrowCoveragePass(const GeneratedSources& generated)
 Texture NarrowCoveragePass::run(int samples, const WidthParams& widths, const LensBlock& lens,
                                 const Texture& placed, const Texture& tiles, const GBuffer& gbuffer) const {
   Texture ink("narrow coverage", TextureFormat::rg8, placed.width_px(), placed.height_px());
-  const int reach_px = reach_of(widest_half_px(widths, lens, placed.height_px(), nullptr));
-  const Buffer count = coverage_buffer({samples, reach_px, {}});
+  const float farthest = farthest_point(widest_half_px(widths, lens, placed.height_px(), nullptr));
+  const int reach_px =
+      static_cast<int>(farthest + 0.5F);  // a point lies up to half a pixel from its own pixel's centre
+  const Buffer count = coverage_buffer({samples, reach_px, farthest, 0});
   const Buffer line = block_buffer(widths.line), lens_uniforms = lens_buffer(lens);
   const Buffer factors = widths_buffer(widths, placed.height_px(), false);
   draw_over_tiles(ink, program_, reach_px, {&placed, &tiles, &gbuffer.normal_and_depth},
