@@ -33,13 +33,6 @@ size_t drawn_faces(MeshStore& meshes, const Settings& settings) {
 
 namespace {
 
-/// Other sizes and normals follow from the settings themselves.
-std::string causes_key(const Frame& frame) {
-  std::string text = "causes";
-  for (const Key& key : frame.pass_keys()) text += key.text();
-  return text;
-}
-
 AntialiasingTally antialiasing_of(const Frame& frame) {
   return tally_antialiasing(frame.value<LineCoverage>()->read(0, 1),
                             frame.value<AliasedCoverage>()->read(0, 1),
