@@ -26,7 +26,7 @@ std::string place(const std::function<fs::path()>& find) {
 }
 
 void print_places() {
-  const fs::path cache = collapse_record_folder();
+  const fs::path cache = cache_folder();
   print_out("data        {}\n", place(project_root));
   print_out("rabbit      {}\n", place(find_rabbit));
   print_out("presets     {}\n", place(user_folder));

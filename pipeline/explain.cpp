@@ -26,10 +26,11 @@ std::string place_text(const Offset& at) {
   return text;
 }
 
-std::string term_text(const ExplainedTerm& term) {
+std::string term_text(const ExplainedTerm& term, bool by_largest) {
   if (!term.used) return fmt::format("{}: is switched off\n", term.title);
-  std::string text = fmt::format("{}: adds {} of at most {}\n", term.title, with_unit(term.value, term.unit),
-                                 with_unit(term.limit, term.unit));
+  const std::string value = with_unit(term.value, term.unit), limit = with_unit(term.limit, term.unit);
+  std::string text = by_largest ? fmt::format("{}: {}; the limit is {}\n", term.title, value, limit)
+                                : fmt::format("{}: adds {} of at most {}\n", term.title, value, limit);
   for (const ExplainedInput& input : term.inputs) {
     const std::string where = input.at ? "  (" + place_text(*input.at) + ")" : "";
     text += fmt::format("  {:<18} {}{}\n", input.name, with_unit(input.value, input.unit), where);
@@ -61,12 +62,12 @@ void check_inside(const ImageParams& image, int x, int y) {
 }  // namespace
 
 KeptMaps keep_maps(const Frame& frame) {
-  KeptMaps maps{frame.settings(), {}, edge_detector(frame.settings()).strength()};
+  KeptMaps maps{frame.settings(), {}, edge_detector(frame.settings()).decided()};
   std::vector<BufferName> kept = edge_detector(frame.settings()).maps();
   for (const BufferName buffer : all_buffers()) {
     if (buffer.info().shown_as != ShownAs::drawing) kept.push_back(buffer);
   }
-  kept.push_back(maps.strength);
+  kept.push_back(maps.decided);
   for (const BufferName buffer : kept) {
     if (maps.raw[buffer].samples.empty()) maps.raw[buffer] = frame.raw(buffer);
   }
@@ -78,7 +79,7 @@ Explanation explain_pixel(const KeptMaps& maps, int x, int y) {
   Explanation explanation = edge_detector(maps.settings).explain(maps.raw, maps.settings, x, y);
   explanation.x = x;
   explanation.y = y;
-  explanation.drawn = maps.raw[maps.strength].at(x, y);
+  explanation.drawn = maps.raw[maps.decided].at(x, y);
   return explanation;
 }
 
@@ -95,7 +96,7 @@ Explanation explain_pixel(const Frame& frame, int x, int y) {
   Explanation explanation = detector.explain(maps, frame.settings(), x - left, y - top);
   explanation.x = x;
   explanation.y = y;
-  explanation.drawn = frame.pixel(detector.strength(), x, y).at(0, 0);
+  explanation.drawn = frame.pixel(detector.decided(), x, y).at(0, 0);
   return explanation;
 }
 
@@ -104,16 +105,22 @@ std::string explanation_text(const Explanation& explanation) {
       "Pixel {}, {} by the detector '{}'{}\n{}\n", explanation.x, explanation.y, explanation.detector,
       explanation.line_class.empty() ? "" : ": a line of class " + explanation.line_class,
       explanation.verdict);
-  for (const ExplainedTerm& term : explanation.terms) text += term_text(term);
+  for (const ExplainedTerm& term : explanation.terms) text += term_text(term, explanation.by_largest);
   return text;
 }
 
 std::string explanation_json(const Explanation& explanation) {
-  nlohmann::ordered_json json{{"detector", explanation.detector}, {"pixel", {explanation.x, explanation.y}},
-                              {"line", explanation.is_line},      {"class", explanation.line_class},
-                              {"sum", explanation.sum},           {"limit", explanation.limit},
-                              {"unit", explanation.unit},         {"edge", explanation.edge},
-                              {"drawn", explanation.drawn},       {"verdict", explanation.verdict}};
+  nlohmann::ordered_json json{{"detector", explanation.detector},
+                              {"pixel", {explanation.x, explanation.y}},
+                              {"line", explanation.is_line},
+                              {"class", explanation.line_class},
+                              {"by_largest", explanation.by_largest},
+                              {"sum", explanation.sum},
+                              {"limit", explanation.limit},
+                              {"unit", explanation.unit},
+                              {"edge", explanation.edge},
+                              {"drawn", explanation.drawn},
+                              {"verdict", explanation.verdict}};
   json["terms"] = nlohmann::ordered_json::array();
   for (const ExplainedTerm& term : explanation.terms) json["terms"].push_back(json_of(term));
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";

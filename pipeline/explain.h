@@ -18,7 +18,7 @@ Explanation explain_pixel(const Frame& frame, int x, int y);
 struct KeptMaps {
   Settings settings;
   PerBuffer<Image> raw;  ///< Of the detector's maps and of all buffers whose values people read.
-  BufferName strength;   ///< The detector's, of what is drawn.
+  BufferName decided;    ///< The detector's (EdgeDetector::decided).
 };
 
 /// Reads whole buffers. Errors: as `Frame::raw`.

@@ -4,19 +4,25 @@
 #include <algorithm>
 
 #include "pipeline/passes/edges/combine.h"
+#include "pipeline/passes/edges/decaudin.h"
+#include "pipeline/passes/edges/decaudin_gradient.h"
 #include "pipeline/passes/edges/dihedral.h"
 #include "pipeline/passes/edges/found_edges.h"
 #include "pipeline/passes/edges/gradient.h"
 #include "pipeline/passes/edges/laplacian.h"
+#include "pipeline/passes/edges/mitchell.h"
 #include "pipeline/passes/edges/pairs.h"
 #include "pipeline/passes/edges/paper_strength.h"
 #include "pipeline/passes/edges/published_look.h"
 #include "pipeline/passes/edges/range.h"
+#include "pipeline/passes/edges/saito_takahashi.h"
 #include "pipeline/passes/edges/shaded_pairs.h"
+#include "pipeline/passes/gbuffer/albedo.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/passes/gbuffer/meshes.h"
 #include "pipeline/passes/gbuffer/motion.h"
 #include "pipeline/passes/gbuffer/quantise.h"
+#include "pipeline/passes/gbuffer/visible_depth.h"
 #include "pipeline/passes/gbuffer/visible_range.h"
 #include "pipeline/passes/ink/coverage.h"
 #include "pipeline/passes/ink/drawn_ink.h"
@@ -42,9 +48,11 @@ std::vector<const PassKind*>& list() {
   static std::vector<const PassKind*> passes{
       // scene to maps
       &MeshesPass::kind(), &GBufferPass::kind(), &QuantisePass::kind(), &VisibleRangePass::kind(),
+      &VisibleDepthPass::kind(), &AlbedoPass::kind(),
       // the paper's method
       &GradientPass::kind(), &RangePass::kind(), &CombinePass::kind(), &PaperStrengthPass::kind(),
       // the others
+      &DecaudinGradientPass::kind(), &DecaudinPass::kind(), &SaitoTakahashiPass::kind(), &MitchellPass::kind(),
       &LaplacianPass::kind(),
       &PairsPass::kind(), &ShadedPairsPass::kind(), &DihedralPass::kind(),
       &FoundEdges::kind(),

@@ -33,7 +33,8 @@ PictureView view_of(const DisplayParams& display, BufferName buffer, const std::
   const BufferInfo& info = buffer.info();
   PictureView view{gain_of(display, buffer), info.first_channel};
   if (info.shown_as == ShownAs::colour) view.channel = PictureView::kColour;
-  if (info.shown_as == ShownAs::object_id) view.channel = PictureView::kObjectId;
+  if (info.shown_as == ShownAs::object_id)
+    view.channel = info.first_channel == 3 ? PictureView::kAlphaId : PictureView::kObjectId;
   if (info.shown_as == ShownAs::edge_class) view.channel = PictureView::kEdgeClass;
   if (info.shown_as == ShownAs::offset) view = {1.0F / kShownOffsetsPx, PictureView::kOffset};
   if (!range || !has_range(buffer)) return view;

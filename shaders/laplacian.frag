@@ -30,5 +30,5 @@ void main() {
   float largest = max(max(slope_change(at, ivec2(1, 0), here), slope_change(at, ivec2(0, 1), here)),
                       max(slope_change(at, ivec2(1, 1), here), slope_change(at, ivec2(1, -1), here)));
   float strength = is_background(own) ? 0.0 : largest / laplacian.bend;
-  edge = vec2(strength, edge_class(at, strength, edges.weak));
+  edge = vec2(strength, edge_class(at, strength, edges.weak, 1));
 }

@@ -20,5 +20,5 @@ void main() {
   vec2 p = min(ratio * ratio, 1.0) * vec2(combine.use_depth, combine.use_normal);
   float sum = p.x + p.y;
   float strength = sum / max(combine.threshold, without_threshold);
-  edge = vec2(strength, sum > 0.0 && sum >= combine.threshold ? edge_class(at, strength, 0.0) : class_none);
+  edge = vec2(strength, sum > 0.0 && sum >= combine.threshold ? edge_class(at, strength, 0.0, 2) : class_none);
 }

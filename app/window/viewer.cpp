@@ -87,7 +87,7 @@ const Explanation& Viewer::explain(int x, int y) {
 
 const Explanation& Viewer::explain_pinned(int x, int y) {
   const KeptMaps& maps = *pictures.pinned_maps();
-  const Key lines = pictures.shown(maps.strength, true).key;
+  const Key lines = pictures.shown(maps.decided, true).key;
   const Key key = KeyBuilder().add(lines).add(std::to_string(x)).add(std::to_string(y)).key();
   if (key == explained_) return explanation_;
   explanation_ = explain_pixel(maps, x, y);

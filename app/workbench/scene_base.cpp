@@ -9,7 +9,7 @@ namespace inkbench {
 namespace {
 
 std::string absolute_text(const std::string& path) {
-  if (path.empty() || path == kRabbit) return path;
+  if (path.empty() || is_named_mesh(path)) return path;
   return fs::absolute(path).lexically_normal().string();
 }
 

@@ -69,6 +69,9 @@ class BufferName {
   static const BufferName object_id;  ///< 1, 2, ... in the scene's order of models, 0 where there is none.
   static const BufferName reference;  ///< Lines in object space, by class.
   static const BufferName motion;     ///< px to where each point stood in the frame before.
+  static const BufferName visible_depth;  ///< From the nearest visible surface, 0, to the farthest, 1.
+  static const BufferName albedo;         ///< The material's colour.
+  static const BufferName material_id;    ///< 1, 2, ... for materials that differ, 0 where no model is.
 
  private:
   const BufferInfo* info_;

@@ -113,7 +113,8 @@ std::optional<Value> convert(const Field& field, int component, const TomlNode& 
       return node.is_text() ? std::optional<Value>(node.text) : std::nullopt;
     case FieldType::text:
       if (!node.is_text()) return std::nullopt;
-      if (!field.is_path || node.text.empty() || node.text == field.not_a_path) return Value(node.text);
+      if (!field.is_path || node.text.empty()) return Value(node.text);
+      if (field.is_no_path != nullptr && field.is_no_path(node.text)) return Value(node.text);
       return Value(absolute_path(node.text, folder));
     case FieldType::ramp:
       return wrap(as_ramp(node, folder));

@@ -14,15 +14,18 @@ const Description& DecaudinParams::description() {
       "decaudin",
       "Decaudin's detector (1996)",
       {
-          field<&DecaudinParams::k_depth>({.name = "k_depth",
-                                           .help = "Range of the depth's gradient that is full ink.",
-                                           .unit = "share of far",
-                                           .limits = {1e-7, 1},
-                                           .slider = {1e-4, 0.1},
-                                           .scale = Scale::log}),
+          field<&DecaudinParams::k_depth>(
+              {.name = "k_depth",
+               .help = "Range of the depth's gradient that is full ink; from 0.71 of it on it is "
+                       "a line.",
+               .unit = "share of far",
+               .limits = {1e-7, 1},
+               .slider = {1e-4, 0.1},
+               .scale = Scale::log}),
           field<&DecaudinParams::k_normal>(
               {.name = "k_normal",
-               .help = "Range of the gradient of any of the normal's components that is full ink.",
+               .help =
+                   "Range of the gradient of any component of the normal map (0.5 N + 0.5) that is full ink.",
                .limits = {1e-6, 10},
                .slider = {1e-2, 1},
                .scale = Scale::log}),
@@ -39,14 +42,15 @@ const Description& SaitoTakahashiParams::description() {
       {
           field<&SaitoTakahashiParams::profile>(
               {.name = "profile",
-               .help = "First difference of the depth, as a share of what is visible, that is a profile.",
+               .help = "First difference within a pixel of the depth from the nearest, 0, to the farthest "
+                       "visible surface, 1, that is a profile.",
                .unit = "share of the visible depth",
                .limits = {1e-7, 10},
                .slider = {1e-3, 0.2},
                .scale = Scale::log}),
           field<&SaitoTakahashiParams::crease>(
               {.name = "crease",
-               .help = "Second difference of the same depth that is a crease.",
+               .help = "Change of the same difference from one pixel to the next that is a crease.",
                .unit = "share of the visible depth",
                .limits = {1e-7, 10},
                .slider = {1e-4, 0.1},
@@ -63,7 +67,7 @@ const Description& MitchellParams::description() {
       "Mitchell, Brennan and Card's detector (2002)",
       {
           field<&MitchellParams::angle>({.name = "angle",
-                                         .help = "Neighbours' normals so far apart are a line.",
+                                         .help = "Neighbours' shading normals so far apart are a line.",
                                          .unit = "deg",
                                          .limits = {0.1, 180},
                                          .slider = {5, 90}}),
@@ -92,8 +96,9 @@ const Description& LaplacianParams::description() {
       {
           field<&LaplacianParams::bend>(
               {.name = "bend",
-               .help = "How much the slope of the surface against the image changes within a pixel where a "
-                       "line is; 2 is a right angle seen from straight ahead.",
+               .help =
+                   "How much the slope of the surface against the image changes around a pixel where a line "
+                   "is. At a right angle it is 2 or more, of which the nearest pixel sees at least half.",
                .limits = {1e-4, 1e4},
                .slider = {0.05, 5},
                .scale = Scale::log}),

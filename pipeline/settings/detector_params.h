@@ -10,7 +10,7 @@ namespace inkbench {
 /// Decaudin (1996).
 struct DecaudinParams {
   float k_depth = 0.003F;
-  float k_normal = 0.3F;
+  float k_normal = 0.2F;
   bool thin = false;
 
   static const Description& description();
@@ -19,7 +19,7 @@ struct DecaudinParams {
 /// Saito and Takahashi (1990).
 struct SaitoTakahashiParams {
   float profile = 0.02F;
-  float crease = 0.005F;
+  float crease = 0.003F;
   bool thin = false;
 
   static const Description& description();
@@ -28,7 +28,7 @@ struct SaitoTakahashiParams {
 /// Mitchell, Brennan and Card (2002).
 struct MitchellParams {
   float angle = 40.0F;
-  float depth = 0.01F;
+  float depth = 0.005F;
   bool use_ids = true;
   float albedo = 0.1F;
   bool thin = false;
@@ -38,7 +38,7 @@ struct MitchellParams {
 
 /// The second difference of 1/z.
 struct LaplacianParams {
-  float bend = 0.7F;
+  float bend = 1.0F;
 
   static const Description& description();
 };

@@ -3,6 +3,10 @@
 
 namespace inkbench {
 
+bool is_named_mesh(std::string_view mesh) {
+  return mesh == kRabbit || mesh.starts_with(kPackagePrefix);
+}
+
 const Description& MaterialParams::description() {
   static const Description kDescription{
       "material",
@@ -38,9 +42,10 @@ const Description& ModelParams::description() {
           field<&ModelParams::shape>({.name = "shape", .help = "A mesh from a file, or a built-in shape."}),
           field<&ModelParams::mesh>({.name = "mesh",
                                      .help = "Mesh file (OBJ, PLY, OFF, STL, glTF, FBX and more), or "
-                                             "\"rabbit\" for Debian's bunny.obj.",
+                                             "\"rabbit\" for Debian's bunny.obj, or a file of a Debian "
+                                             "package: \"debian:libcgal-demo/fandisk.off\".",
                                      .is_path = true,
-                                     .not_a_path = kRabbit,
+                                     .is_no_path = is_named_mesh,
                                      .matters_when = "shape = mesh"}),
           field<&ModelParams::part>(
               {.name = "part",

@@ -20,6 +20,9 @@ struct ChoiceNames<Shape> {
 
 /// What `mesh` names instead of a file: bunny.obj of Debian's package glmark2-data.
 inline constexpr std::string_view kRabbit = "rabbit";
+/// And what begins the name of a file that a Debian package brings: "debian:libcgal-demo/fandisk.off".
+inline constexpr std::string_view kPackagePrefix = "debian:";
+bool is_named_mesh(std::string_view mesh);
 
 /// The point of the mesh that stands on `position`.
 enum class Anchor { origin, base };

@@ -15,26 +15,39 @@ const float least_bend = 0.2;
 
 ivec2 inside(ivec2 at) { return clamp(at, ivec2(0), textureSize(object_id_map, 0) - 1); }
 
-// `strength` under `weak` has no class. Steps and bends are looked for along eight directions, between the pixel and
-// its neighbour and between that one and the next: operators reach so far.
-float edge_class(ivec2 at, float strength, float weak) {
-  if (!(strength >= weak)) return class_none;
+// `strength` under `weak` has no class. Other ids, steps and bends are looked for along eight directions, up to `reach`
+// pixels far, as far as the detector's operator sees. Loops without turns cost nothing, and most pixels need none.
+float edge_class(ivec2 at, float strength, float weak, int reach) {
+  bool is_detected = strength >= weak;
   float id = texelFetch(object_id_map, at, 0).r;
-  float own = texelFetch(normal_and_depth_map, at, 0).a;
-  float here = affine_depth(own);
-  bool other_id = false, other_ground = false;
+  bool other_id = false;
+  int id_turns = is_detected ? 9 * reach : 0;
+  for (int i = 0; i < id_turns && !other_id; ++i)
+    other_id = texelFetch(object_id_map, inside(at + (i / 9 + 1) * (ivec2(i % 3, i / 3 % 3) - 1)), 0).r != id;
+  bool other_ground = false;
   float step_px = 0.0, bend_px = 0.0;
-  for (int i = 0; i < 9; ++i) {
+  int turns = is_detected && !other_id ? 9 : 0;
+  for (int i = 0; i < turns; ++i) {
     ivec2 towards = ivec2(i % 3, i / 3) - 1;
     if (i == 4) continue;
-    float depth[4];
-    for (int k = 0; k < 4; ++k) depth[k] = texelFetch(normal_and_depth_map, inside(at + (k - 1) * towards), 0).a;
-    other_id = other_id || texelFetch(object_id_map, inside(at + towards), 0).r != id;
-    other_ground = other_ground || is_background(depth[2]) != is_background(own);
-    float a = affine_depth(depth[0]), c = affine_depth(depth[2]), d = affine_depth(depth[3]);
-    step_px = max(step_px, step_between(a, here, c, d));
-    bend_px = max(bend_px, in_pixel_sizes(a - 2.0 * here + c, here));
+#define DEPTH_AT(steps) texelFetch(normal_and_depth_map, inside(at + (steps) * towards), 0).a
+    float before = DEPTH_AT(-1), here = DEPTH_AT(0), next = DEPTH_AT(1);
+    for (int k = 1; k <= reach; ++k) {
+      float after = DEPTH_AT(k + 1);
+      other_ground = other_ground || is_background(next) != is_background(here);
+      // Where no model is there is neither; at the image's border a repeated pixel is no neighbour.
+      ivec2 first = at + (k - 2) * towards, last = at + (k + 1) * towards;
+      if (first == inside(first) && !is_background(here)) {
+        float a = affine_depth(before), b = affine_depth(here), c = affine_depth(next), d = affine_depth(after);
+        if (last == inside(last) && !is_background(next)) step_px = max(step_px, step_between(a, b, c, d));
+        bend_px = max(bend_px, in_pixel_sizes(a - 2.0 * b + c, b));
+      }
+      before = here;
+      here = next;
+      next = after;
+    }
   }
+  if (!is_detected) return class_none;
   if (other_id) return class_object;
   if (step_px > 1.0 || other_ground) return class_silhouette;
   return bend_px > least_bend ? class_crease : class_normal;

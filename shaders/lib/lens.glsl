@@ -8,13 +8,16 @@ layout(std140) uniform lens_block {
   int padding;
 } lens;
 
+// Eight bits round what is close to the camera to 0.
+const float least_depth = 1e-12;
+
 // The depth map holds 1 where no model is.
 bool is_background(float depth) { return depth >= 1.0; }
 
 // What is affine in the image on a plane: 1 / distance (0 where no model is); orthographic: the distance.
 float affine_depth(float depth) {
   if (lens.is_orthographic != 0) return depth * lens.far;
-  return is_background(depth) ? 0.0 : 1.0 / (depth * lens.far);
+  return is_background(depth) ? 0.0 : 1.0 / (max(depth, least_depth) * lens.far);
 }
 
 // Of a second difference of `affine_depth` at a pixel that has `here`: how far a neighbour lies from the plane of the

@@ -10,7 +10,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/stop.h"
 #include "pipeline/base/text.h"
-#include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/levels/model_mesh.h"
 
 namespace inkbench {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 void check_file(const std::string& key, const std::string& path) {
   if (path.empty()) return;
   std::error_code error;
-  if (path == kRabbit) {
-    find_rabbit();
+  if (is_named_mesh(path)) {
+    mesh_path(path);
   } else if (!fs::is_regular_file(path, error)) {
     throw input_error(key, "there is no file " + path);
   }

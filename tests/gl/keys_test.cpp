@@ -144,6 +144,9 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
       {BufferName::edge_strength, {"meshes", "gbuffer", "gradient", "range", "paper_strength"}},
       {BufferName::edge_class, {"meshes", "gbuffer", "gradient", "range", "paper_strength"}},
       {BufferName::motion, {"meshes", "gbuffer", "motion"}},
+      {BufferName::visible_depth, {"meshes", "gbuffer", "visible_range", "visible_depth"}},
+      {BufferName::albedo, {"meshes", "gbuffer", "albedo"}},
+      {BufferName::material_id, {"meshes", "gbuffer", "albedo"}},
       {BufferName::shaded, {"meshes", "gbuffer", "shade"}},
       {BufferName::blinn_phong, {"meshes", "gbuffer", "blinn_phong"}},
       {BufferName::final, with_meshes(kFloatChain)}};
@@ -159,7 +162,8 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
 TEST(Keys, all_buffers_together_run_each_pass_once) {
   Pipeline pipeline;
   Names expected = with_meshes(kFloatChain);
-  expected.insert({"blinn_phong", "lines", "paper_strength", "motion"});
+  expected.insert(
+      {"blinn_phong", "lines", "paper_strength", "motion", "visible_range", "visible_depth", "albedo"});
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
                             for (const BufferName buffer : framebuffers())

@@ -17,6 +17,7 @@ namespace {
 
 double expected_gain(const DisplayParams& display, BufferName buffer) {
   if (buffer == BufferName::depth) return display.depth_gain;
+  if (buffer == BufferName::edge_strength) return display.strength_gain;
   if (buffer == BufferName::depth_edges) return display.depth_edges_gain;
   if (buffer == BufferName::normal_edges) return display.normal_edges_gain;
   return 1.0;
@@ -27,7 +28,7 @@ TEST(Picture, is_the_raw_buffer_times_its_gain) {
   settings.display = {1.7F, 20.0F, 3.0F};
   Pipeline pipeline;
   for (const BufferName buffer : framebuffers()) {
-    if (buffer == BufferName::object_id || buffer == BufferName::motion) continue;  // in colours of their own
+    if (!has_range(buffer)) continue;  // in colours of its own
     const Image raw = pipeline.at(settings).raw(buffer);
     const Picture picture = pipeline.at(settings).picture(buffer);
     for (int y = 0; y < raw.height_px; ++y) {

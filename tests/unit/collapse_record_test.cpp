@@ -160,17 +160,17 @@ TEST(CollapseRecord, what_cannot_be_replayed_is_refused) {
 
 TEST(CollapseRecordCache, lies_where_the_environment_says) {
   const Environment home({{"HOME", "/h"}, {"XDG_CACHE_HOME", nullptr}, {"INKBENCH_CACHE", nullptr}});
-  EXPECT_EQ(collapse_record_folder(), "/h/.cache/inkbench");
+  EXPECT_EQ(cache_folder(), "/h/.cache/inkbench");
   {
     const Environment xdg({{"XDG_CACHE_HOME", "/x"}});
-    EXPECT_EQ(collapse_record_folder(), "/x/inkbench");
+    EXPECT_EQ(cache_folder(), "/x/inkbench");
     const Environment own({{"INKBENCH_CACHE", "/o"}});
-    EXPECT_EQ(collapse_record_folder(), "/o");
+    EXPECT_EQ(cache_folder(), "/o");
     const Environment none({{"INKBENCH_CACHE", ""}});
-    EXPECT_EQ(collapse_record_folder(), "");
+    EXPECT_EQ(cache_folder(), "");
   }
   const Environment relative({{"XDG_CACHE_HOME", "x"}});
-  EXPECT_EQ(collapse_record_folder(), "/h/.cache/inkbench");
+  EXPECT_EQ(cache_folder(), "/h/.cache/inkbench");
 }
 
 TEST(CollapseRecordCache, a_record_is_kept_and_used) {

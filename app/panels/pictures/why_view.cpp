@@ -21,21 +21,31 @@ ImU32 term_colour(size_t term) {
   return term % 2 == 0 ? theme().accent : theme().accent_soft;
 }
 
-/// All terms one after the other, and where the limit is.
+/// The term of which the most of its limit is there.
+size_t largest_term(const Explanation& why) {
+  const auto less = [](const ExplainedTerm& a, const ExplainedTerm& b) {
+    return (a.used ? a.value / a.limit : 0.0) < (b.used ? b.value / b.limit : 0.0);
+  };
+  return static_cast<size_t>(std::max_element(why.terms.begin(), why.terms.end(), less) - why.terms.begin());
+}
+
+/// All terms one after the other, or the largest, and where the limit is.
 void draw_sum(const Explanation& why) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = scaled(14);
   const float top = low.y + scaled(4);
-  double largest = 0;
-  for (const ExplainedTerm& term : why.terms) largest += term.limit;
+  double largest = why.by_largest ? 2 * why.limit : 0;
+  for (const ExplainedTerm& term : why.terms) largest += why.by_largest ? 0 : term.limit;
   const auto x_of = [&](double sum) {
     return low.x + static_cast<float>(std::min(sum / largest, 1.0)) * width;
   };
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({low.x, top}, {low.x + width, top + height}, theme().field, scaled(2));
   double sum = 0;
-  for (size_t i = 0; i < why.terms.size(); ++i) {
+  if (why.by_largest)
+    list.AddRectFilled({low.x, top}, {x_of(why.sum), top + height}, term_colour(largest_term(why)));
+  for (size_t i = 0; i < why.terms.size() && !why.by_largest; ++i) {
     const float from = x_of(sum);
     sum += why.terms[i].value;
     list.AddRectFilled({from, top}, {x_of(sum), top + height}, term_colour(i));
@@ -103,15 +113,16 @@ ImU32 input_colour(ExplainedInput::Role role) {
   return role == ExplainedInput::Role::smallest ? theme().mark : theme().faint;
 }
 
-void draw_numbers(const ExplainedTerm& term) {
+void draw_numbers(const ExplainedTerm& term, bool by_largest) {
   if (!ImGui::BeginTable(term.name.c_str(), 2, ImGuiTableFlags_SizingFixedFit)) return;
   for (const ExplainedInput& input : term.inputs)
     draw_number(input.name, input.value, input.unit, input_colour(input.role));
-  draw_number("adds", term.value, term.unit, theme().text);
+  draw_number(by_largest ? "value" : "adds", term.value, term.unit, theme().text);
+  if (by_largest) draw_number("limit", term.limit, term.unit, theme().text);
   ImGui::EndTable();
 }
 
-void draw_term(const ExplainedTerm& term, ImU32 colour) {
+void draw_term(const ExplainedTerm& term, bool by_largest, ImU32 colour) {
   ImGui::Dummy({0, scaled(2)});
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const float size = scaled(9);
@@ -126,7 +137,7 @@ void draw_term(const ExplainedTerm& term, ImU32 colour) {
   }
   draw_miniature(term);
   ImGui::SameLine(0, scaled(10));
-  draw_numbers(term);
+  draw_numbers(term, by_largest);
   if (term.cause.empty()) return;
   std::string cause = term.cause;
   cause[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(cause[0])));
@@ -136,7 +147,7 @@ void draw_term(const ExplainedTerm& term, ImU32 colour) {
 void draw_explanation(const Explanation& why) {
   wrapped_text(why.verdict, theme().text);
   draw_sum(why);
-  for (size_t i = 0; i < why.terms.size(); ++i) draw_term(why.terms[i], term_colour(i));
+  for (size_t i = 0; i < why.terms.size(); ++i) draw_term(why.terms[i], why.by_largest, term_colour(i));
 }
 
 /// Of the state that was asked; nothing while its picture is not there yet.

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/cache_folder.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
 #include "pipeline/mesh/levels/decimation.h"
@@ -122,24 +123,12 @@ std::optional<CollapseRecord> read_collapse_record(std::string_view bytes, const
   return record;
 }
 
-fs::path collapse_record_folder() {
-  const auto variable = [](const char* name) {
-    const char* const value = std::getenv(name);
-    return fs::path(value == nullptr ? "" : value);
-  };
-  if (std::getenv("INKBENCH_CACHE") != nullptr) return variable("INKBENCH_CACHE");
-  // A relative XDG_CACHE_HOME is to be ignored (XDG Base Directory Specification).
-  if (const fs::path cache = variable("XDG_CACHE_HOME"); cache.is_absolute()) return cache / "inkbench";
-  if (const fs::path home = variable("HOME"); !home.empty()) return home / ".cache" / "inkbench";
-  return {};
-}
-
 fs::path collapse_record_path(const Key& key) {
-  return collapse_record_folder() / (key.text() + ".collapses");
+  return cache_folder() / (key.text() + ".collapses");
 }
 
 CollapseRecord cached_collapse_record(const Mesh& mesh, const StopAsked& stop) {
-  if (collapse_record_folder().empty()) return record_collapses(mesh, stop);
+  if (cache_folder().empty()) return record_collapses(mesh, stop);
   const Key key = collapse_record_key(mesh);
   const fs::path path = collapse_record_path(key);
   if (std::optional<CollapseRecord> found = read_from(path, mesh, key)) return std::move(*found);

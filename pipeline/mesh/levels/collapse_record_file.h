@@ -26,11 +26,7 @@ std::string write_collapse_record(const CollapseRecord& record, const Key& key);
 /// and `is_record_of`.
 std::optional<CollapseRecord> read_collapse_record(std::string_view bytes, const Mesh& mesh, const Key& key);
 
-/// Where records are kept: $INKBENCH_CACHE, else $XDG_CACHE_HOME/inkbench, else ~/.cache/inkbench. Empty,
-/// which keeps none, where INKBENCH_CACHE is set to nothing or there is no home.
-std::filesystem::path collapse_record_folder();
-
-/// The file of a key in that folder.
+/// The file of a key in `cache_folder()`.
 std::filesystem::path collapse_record_path(const Key& key);
 
 /// The mesh's record, from its file or by `record_collapses`; then it is written, all or nothing, so that

@@ -6,11 +6,13 @@
 
 #include "pipeline/mesh/corner_normals.h"
 #include "pipeline/mesh/formats/mesh_file.h"
+#include "pipeline/mesh/formats/package_mesh.h"
 #include "pipeline/mesh/shapes/primitives.h"
 
 namespace inkbench {
 
 std::filesystem::path mesh_path(const std::string& mesh) {
+  if (mesh.starts_with(kPackagePrefix)) return find_package_mesh(mesh.substr(kPackagePrefix.size()));
   return mesh == kRabbit ? find_rabbit() : std::filesystem::path(mesh);
 }
 

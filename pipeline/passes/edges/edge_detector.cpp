@@ -3,7 +3,11 @@
 
 #include <algorithm>
 
+#include "pipeline/passes/edges/decaudin_detector.h"
+#include "pipeline/passes/edges/laplacian_detector.h"
+#include "pipeline/passes/edges/mitchell_detector.h"
 #include "pipeline/passes/edges/paper_detector.h"
+#include "pipeline/passes/edges/saito_takahashi_detector.h"
 
 namespace inkbench {
 
@@ -15,11 +19,12 @@ bool EdgeDetector::sees_facets(const Settings& settings) const {
 }
 
 std::vector<const EdgeDetector*> edge_detectors() {
-  return {&paper_detector()};
+  return {&paper_detector(),    &decaudin_detector(),  &saito_takahashi_detector(),
+          &mitchell_detector(), &laplacian_detector(), &laplacian_detector()};
 }
 
-const EdgeDetector& edge_detector(const Settings&) {
-  return *edge_detectors().front();
+const EdgeDetector& edge_detector(const Settings& settings) {
+  return *edge_detectors().at(static_cast<size_t>(settings.edges.method));
 }
 
 }  // namespace inkbench

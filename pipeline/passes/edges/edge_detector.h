@@ -24,10 +24,8 @@ class EdgeDetector {
   virtual std::vector<BufferName> maps() const = 0;
   virtual int reach_px() const = 0;
 
-  /// What it gives: above 0 where there is a line, H x W x 1.
-  virtual BufferName strength() const = 0;
-  /// The class of each line pixel; none where the detector tells it by `explain` alone.
-  virtual std::optional<BufferName> line_class() const = 0;
+  /// The buffer that holds what it decided, H x W x 1: its strength, or what the paper's stores of it.
+  virtual BufferName decided() const { return BufferName::edge_strength; }
 
   /// Why the pixel (x, y) of `maps` is a line or not. They are the raw values of `maps()`, all of one size,
   /// of which the image's edges are edges only. `drawn` is left 0.
@@ -45,7 +43,7 @@ class EdgeDetector {
   virtual std::optional<Settings> without_depth_term(const Settings& settings) const = 0;
 };
 
-/// All of them.
+/// All of them, in the order of EdgeMethod.
 std::vector<const EdgeDetector*> edge_detectors();
 
 /// The one that the settings draw with.

@@ -32,8 +32,8 @@ struct ExplainedTerm {
   std::string name;   ///< "depth"
   std::string title;  ///< "Depth term"
   bool used = true;
-  double value = 0;  ///< What it adds.
-  double limit = 1;  ///< The most that it can add.
+  double value = 0;  ///< What it adds; by the largest, what it has.
+  double limit = 1;  ///< The most that it can add; by the largest, what it needs for a line.
   std::string unit;
   std::vector<ExplainedInput> inputs;
   /// What it looked at in the 3 x 3 pixels around, row by row from the top left; none outside the image.
@@ -44,15 +44,17 @@ struct ExplainedTerm {
 struct Explanation {
   std::string detector;
   int x = 0, y = 0;
+  bool by_largest = false;  ///< The term that has the largest share of its limit decides, and no sum.
   std::vector<ExplainedTerm> terms;
-  double sum = 0, limit = 0;  ///< A line needs this much; its strength is sum / limit.
-  std::string limit_name;     ///< "threshold"
-  std::string unit;           ///< Of both.
-  double edge = 0;            ///< What the detector stores for it, by the terms.
-  double drawn = 0;           ///< What it stored.
-  bool is_line = false;       ///< `edge` is not 0.
-  std::string line_class;     ///< "object", "silhouette", "crease": what the line is of; empty without one.
-  std::string verdict;        ///< "A line, because the sum of the terms, 1.2, reaches the threshold 0.75."
+  double sum = 0,
+         limit = 0;  ///< A line needs this much; its strength is sum / limit. By the largest: its share, 1.
+  std::string limit_name;  ///< "threshold"
+  std::string unit;        ///< Of both.
+  double edge = 0;         ///< What the detector stores for it, by the terms.
+  double drawn = 0;        ///< What it stored.
+  bool is_line = false;    ///< By the terms: detected. What is thinned afterwards may leave it out.
+  std::string line_class;  ///< "object", "silhouette", "crease": what the line is of; empty without one.
+  std::string verdict;     ///< "A line, because the sum of the terms, 1.2, reaches the threshold 0.75."
 };
 
 }  // namespace inkbench

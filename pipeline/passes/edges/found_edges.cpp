@@ -2,16 +2,19 @@
 #include "pipeline/passes/edges/found_edges.h"
 
 #include "pipeline/flow/describe_choice.h"
+#include "pipeline/passes/edges/decaudin.h"
 #include "pipeline/passes/edges/dihedral.h"
 #include "pipeline/passes/edges/laplacian.h"
+#include "pipeline/passes/edges/mitchell.h"
 #include "pipeline/passes/edges/paper_strength.h"
+#include "pipeline/passes/edges/saito_takahashi.h"
 
 namespace inkbench {
 namespace {
 
 constexpr BufferInfo kEdgeStrength{
     .name = "edge_strength",
-    .help = "How much of what makes a line the detector sees: 1 is at the limit.",
+    .help = "How much of what makes a line the detector sees: 1 is at the limit; it has no upper end.",
     .gain = &DisplayParams::strength_gain,
     .limit = 1.0F};
 constexpr BufferInfo kEdgeClass{.name = "edge_class",
@@ -27,10 +30,11 @@ constinit const BufferName BufferName::edge_strength{kEdgeStrength};
 constinit const BufferName BufferName::edge_class{kEdgeClass};
 
 const PassKind& FoundEdges::kind() {
-  static const PassKind kKind = describe_choice<FoundEdges, PaperStrengthPass, LaplacianPass, LaplacianPass,
-                                                LaplacianPass, LaplacianPass, DihedralPass>(
-      "edges", EdgesParams::description().group,
-      {shows(BufferName::edge_strength), shows(BufferName::edge_class)});
+  static const PassKind kKind =
+      describe_choice<FoundEdges, PaperStrengthPass, DecaudinPass, SaitoTakahashiPass, MitchellPass,
+                      LaplacianPass, DihedralPass>(
+          "edges", EdgesParams::description().group,
+          {shows(BufferName::edge_strength), shows(BufferName::edge_class)});
   return kKind;
 }
 

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/passes/edges/paper_detector.h"
 
+#include "pipeline/passes/edges/explained_terms.h"
 #include "pipeline/passes/edges/paper_sum.h"
 
 namespace inkbench {
 namespace {
 
-std::array<std::optional<float>, 9> around(const Image& image, int x, int y) {
-  std::array<std::optional<float>, 9> values;
-  for (int i = 0; i < 9; ++i) {
-    const int nx = x + i % 3 - 1;
-    const int ny = y + i / 3 - 1;
-    const bool inside = nx >= 0 && nx < image.width_px && ny >= 0 && ny < image.height_px;
-    if (inside) values[static_cast<size_t>(i)] = image.at(nx, ny);
-  }
-  return values;
-}
+/// A gradient's neighbour is one pixel away, and the maps that it compares are one more. To tell a step from
+/// a bend there takes another.
+constexpr int kPaperReach = 2;
 
 ExplainedTerm explained(const char* name, const char* title, const TermWhy& term, const Image& edges, int x,
                         int y, bool is_depth, std::span<const std::string> objects) {
@@ -25,18 +19,9 @@ ExplainedTerm explained(const char* name, const char* title, const TermWhy& term
                    {"gmin", term.gmin, "", Role::smallest, term.min_at},
                    {"k", term.k, "", Role::plain, {}},
                    {"ratio", term.ratio, "", Role::plain, {}}};
-  result.around = around(edges, x, y);
+  result.around = values_around(edges, x, y);
   if (term.step && term.gmax > term.gmin) result.cause = cause_text(*term.step, is_depth, objects);
   return result;
-}
-
-/// By the term that weighs more and what lies on both sides of its step.
-std::string class_of(const PixelWhy& why) {
-  if (!why.inked) return "";
-  const bool by_depth = why.depth.p >= why.normal.p;
-  const TermWhy& term = by_depth ? why.depth : why.normal;
-  if (term.step && term.step->from_object != term.step->to_object) return "object";
-  return by_depth ? "silhouette" : "crease";
 }
 
 class PaperDetector final : public EdgeDetector {
@@ -49,10 +34,8 @@ class PaperDetector final : public EdgeDetector {
     return {BufferName::depth_edges, BufferName::normal_edges, BufferName::depth, BufferName::normal,
             BufferName::object_id};
   }
-  /// A gradient's neighbour is one pixel away, and the maps that it compares are one more.
-  int reach_px() const override { return 2; }
-  BufferName strength() const override { return BufferName::combined_edges; }
-  std::optional<BufferName> line_class() const override { return std::nullopt; }
+  int reach_px() const override { return kPaperReach + 1; }
+  BufferName decided() const override { return BufferName::combined_edges; }
 
   Explanation explain(const PerBuffer<Image>& maps, const Settings& settings, int x, int y) const override {
     const Image& depth_edges = maps[BufferName::depth_edges];
@@ -60,8 +43,8 @@ class PaperDetector final : public EdgeDetector {
     const EdgeBuffers buffers{depth_edges, normal_edges, &maps[BufferName::depth], &maps[BufferName::normal],
                               &maps[BufferName::object_id]};
     const PixelWhy why = why_pixel(buffers, settings.combine, x, y, settings.image.precision);
-    std::vector<std::string> objects;
-    for (const ModelParams& model : settings.models) objects.push_back(model.name);
+    const std::vector<std::string> objects = model_names(settings);
+    const LensBlock lens = lens_of(settings.camera, settings.image.height);
     Explanation result{.detector = std::string(name()), .x = x, .y = y};
     result.terms = {explained("depth", "Depth term", why.depth, depth_edges, x, y, true, objects),
                     explained("normal", "Normal term", why.normal, normal_edges, x, y, false, objects)};
@@ -70,7 +53,7 @@ class PaperDetector final : public EdgeDetector {
     result.limit_name = "threshold";
     result.edge = why.edge;
     result.is_line = why.inked;
-    result.line_class = class_of(why);
+    if (why.inked) result.line_class = class_name(edge_class(buffers.surfaces(), lens, x, y, kPaperReach));
     result.verdict = verdict_text(why);
     return result;
   }

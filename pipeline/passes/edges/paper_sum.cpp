@@ -71,43 +71,6 @@ float angle_between(const glm::vec3& a, const glm::vec3& b) {
   return glm::degrees(std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0F, 1.0F)));
 }
 
-/// Values of all given maps on both sides of the step.
-void describe_sides(const EdgeBuffers& buffers, int x, int y, GradientStep& step) {
-  const int other_x = x + step.to.dx;
-  const int other_y = y + step.to.dy;
-  if (buffers.depth != nullptr) {
-    step.from_depth = buffers.depth->at(x, y);
-    step.to_depth = buffers.depth->at(other_x, other_y);
-  }
-  if (buffers.normal != nullptr) {
-    step.angle_deg =
-        angle_between(normal_at(*buffers.normal, x, y), normal_at(*buffers.normal, other_x, other_y));
-  }
-  if (buffers.object_id != nullptr) {
-    step.from_object = static_cast<int>(buffers.object_id->at(x, y));
-    step.to_object = static_cast<int>(buffers.object_id->at(other_x, other_y));
-  }
-}
-
-std::optional<GradientStep> largest_step(const EdgeBuffers& buffers, const Image* map, int x, int y) {
-  if (map == nullptr) return std::nullopt;
-  float total = 0;
-  float largest = 0;
-  GradientStep step;
-  for (const auto& [offset, weight] : kRegion) {
-    if (!is_inside(*map, x + offset.dx, y + offset.dy)) continue;
-    const float part = weight * mean_difference(*map, x, y, x + offset.dx, y + offset.dy);
-    total += part;
-    if (part <= largest) continue;
-    largest = part;
-    step.to = offset;
-  }
-  if (!(largest > 0)) return std::nullopt;
-  step.share = largest / total;
-  describe_sides(buffers, x, y, step);
-  return step;
-}
-
 float stored(float edge, Precision precision) {
   return precision == Precision::float32 ? edge : std::round(edge * 255.0F) / 255.0F;
 }
@@ -124,14 +87,51 @@ std::string object_name(int object, std::span<const std::string> names) {
 
 }  // namespace
 
+GradientStep step_between_pixels(const SurfaceMaps& maps, int x, int y, Offset to) {
+  const int other_x = x + to.dx;
+  const int other_y = y + to.dy;
+  GradientStep step{.to = to};
+  if (maps.depth != nullptr) {
+    step.from_depth = maps.depth->at(x, y);
+    step.to_depth = maps.depth->at(other_x, other_y);
+  }
+  if (maps.normal != nullptr) {
+    step.angle_deg = angle_between(normal_at(*maps.normal, x, y), normal_at(*maps.normal, other_x, other_y));
+  }
+  if (maps.object_id != nullptr) {
+    step.from_object = static_cast<int>(maps.object_id->at(x, y));
+    step.to_object = static_cast<int>(maps.object_id->at(other_x, other_y));
+  }
+  return step;
+}
+
+std::optional<GradientStep> largest_step(const SurfaceMaps& maps, const Image& map, int x, int y) {
+  float total = 0;
+  float largest = 0;
+  Offset to;
+  for (const auto& [offset, weight] : kRegion) {
+    if (!is_inside(map, x + offset.dx, y + offset.dy)) continue;
+    const float part = weight * mean_difference(map, x, y, x + offset.dx, y + offset.dy);
+    total += part;
+    if (part <= largest) continue;
+    largest = part;
+    to = offset;
+  }
+  if (!(largest > 0)) return std::nullopt;
+  GradientStep step = step_between_pixels(maps, x, y, to);
+  step.share = largest / total;
+  return step;
+}
+
 PixelWhy why_pixel(const EdgeBuffers& buffers, const CombineParams& params, int x, int y,
                    Precision precision) {
   assert(is_inside(buffers.depth_edges, x, y));
   PixelWhy why{.x = x, .y = y, .threshold = params.threshold};
   why.depth = term(buffers.depth_edges, params.k_depth, params.use_depth, x, y);
   why.normal = term(buffers.normal_edges, params.k_normal, params.use_normal, x, y);
-  const auto step_of = [&](const TermWhy& part, const Image* map) {
-    return largest_step(buffers, map, x + part.max_at.dx, y + part.max_at.dy);
+  const auto step_of = [&](const TermWhy& part, const Image* map) -> std::optional<GradientStep> {
+    if (map == nullptr) return std::nullopt;
+    return largest_step(buffers.surfaces(), *map, x + part.max_at.dx, y + part.max_at.dy);
   };
   why.depth.step = step_of(why.depth, buffers.depth);
   why.normal.step = step_of(why.normal, buffers.normal);

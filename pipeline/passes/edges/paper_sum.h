@@ -9,6 +9,7 @@
 #include <string>
 
 #include "pipeline/image/image.h"
+#include "pipeline/passes/edges/edge_class.h"
 #include "pipeline/passes/edges/explanation.h"
 #include "pipeline/settings/combine_params.h"
 #include "pipeline/settings/image_params.h"
@@ -23,6 +24,7 @@ struct EdgeBuffers {
   const Image* depth = nullptr;      ///< H x W x 1.
   const Image* normal = nullptr;     ///< H x W x 3.
   const Image* object_id = nullptr;  ///< H x W x 1.
+  SurfaceMaps surfaces() const { return {depth, normal, object_id}; }
 };
 
 /// What made a gradient: of the eight differences that it sums, the one that weighs most.
@@ -33,6 +35,13 @@ struct GradientStep {
   float angle_deg = 0;                 ///< Between the two normals.
   int from_object = 0, to_object = 0;  ///< 0 where there is none or no object buffer was given.
 };
+
+/// What lies on both sides of the step from (x, y) to a neighbour inside the image, by the maps there are.
+GradientStep step_between_pixels(const SurfaceMaps& maps, int x, int y, Offset to);
+
+/// Of the eight differences of `map` around (x, y) the one that weighs most in the gradient; none where all
+/// are 0.
+std::optional<GradientStep> largest_step(const SurfaceMaps& maps, const Image& map, int x, int y);
 
 /// One term of the sum: p = min(((gmax - gmin) / k)^2, 1), or 0 where it is switched off.
 struct TermWhy {
