@@ -11,7 +11,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/gl/context.h"
 #include "pipeline/mesh/formats/mesh_file.h"
-#include "pipeline/mesh/levels/collapse_record_file.h"
+#include "pipeline/base/cache_folder.h"
 
 namespace inkbench {
 namespace {

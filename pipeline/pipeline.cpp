@@ -133,7 +133,7 @@ std::map<std::string, StageCount> Pipeline::counts() const {
 std::vector<Program*> Pipeline::programs() {
   std::vector<Program*> programs;
   for (const auto& node : flow_.nodes()) {
-    if (Program* program = node->program(); program != nullptr) programs.push_back(program);
+    for (Program* program : node->programs()) programs.push_back(program);
   }
   programs.push_back(&picture_pass().program());
   return programs;

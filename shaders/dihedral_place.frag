@@ -32,13 +32,16 @@ vec2 foot_of(vec4 crossings) {
   return sum > 0.0 ? crossings.xy * square.yx / sum : vec2(0.0);
 }
 
+// Of a pair.
+bool is_gap(float gap) { return abs(gap) > meeting_gap && abs(gap) >= edges.weak * dihedral.gap; }
+
 // Does a step run between the pixel and the one `across` (an axis' direction), with the line on the pixel's side?
 bool has_step(ivec2 at, ivec2 across) {
   ivec2 first = min(at, at + across), last = textureSize(pair_map, 0) - 1;
   if (any(lessThan(first, ivec2(0))) || any(greaterThan(max(at, at + across), last))) return false;
   vec4 pair = texelFetch(pair_map, first, 0);
-  vec2 bend_and_gap = across.x != 0 ? pair.xz : pair.yw;
-  return is_step(side_of(bend_and_gap.x, bend_and_gap.y, first == at ? 1.0 : -1.0, edges.weak));
+  float gap = across.x != 0 ? pair.z : pair.w;
+  return is_gap(gap) && (first == at) == (gap > 0.0);
 }
 
 // The height of the step in the pixels from two before it to two after it, or as few on both sides as it has: the mean.
@@ -76,6 +79,28 @@ ivec2 step_direction(Sides sides) {
   return has_both ? ivec2(0) : direction;
 }
 
+// Is the pixel, from `at`, one of the eight around it?
+bool is_around(ivec2 away) { return away != ivec2(0) && all(lessThanEqual(abs(away), ivec2(1))); }
+
+// Whose line the pair is, from the pixel whose pair it is: it, the other pixel `towards`, or none, which is far away.
+ivec2 owner_of(float angle, float gap, ivec2 towards) {
+  float which = is_gap(gap) ? gap : abs(angle) >= edges.weak * dihedral.angle ? angle : 0.0;
+  return which > 0.0 ? ivec2(0) : which < 0.0 ? towards : ivec2(100);
+}
+
+// Does a line go through any of the eight pixels around? `pairs` is 16, or 0 for no work.
+bool has_company(ivec2 at, int pairs) {
+  bool found = false;
+  for (int i = 0; i < pairs; ++i) {
+    ivec2 from = ivec2(i % 4, i / 4) - 2;
+    ivec2 there = clamp(at + from, ivec2(0), textureSize(pair_map, 0) - 1);
+    vec4 pair = texelFetch(pair_map, there, 0);
+    found = found || is_around(there - at + owner_of(pair.x, pair.z, ivec2(1, 0))) ||
+            is_around(there - at + owner_of(pair.y, pair.w, ivec2(0, 1)));
+  }
+  return found;
+}
+
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   Sides sides = sides_of(at, edges.weak);
@@ -86,5 +111,6 @@ void main() {
   ivec2 across = has_steps ? step_direction(sides) : ivec2(0);
   offset = vec2(across) * smooth_height(at, across, across != ivec2(0) ? 4 : 0);
   offset = has_creases ? foot_of(crease_crossings(sides)) : offset;
-  placed = packed_line(Placed(offset, line_class, strength));
+  bool is_dot = !has_company(at, line_class > class_none ? 16 : 0);  // a single pixel is no line
+  placed = packed_line(Placed(offset, is_dot ? class_none : line_class, strength));
 }

@@ -12,7 +12,11 @@ layout(std140) uniform shaded_pairs_block {
 } wanted;
 layout(location = 0) out vec4 pairs;
 
-vec3 normal_at(ivec2 at) { return normalize(2.0 * texelFetch(normal_and_depth_map, at, 0).xyz - 1.0); }
+// Where no model is all have the same.
+vec3 normal_at(ivec2 at) {
+  vec3 normal = 2.0 * texelFetch(normal_and_depth_map, at, 0).xyz - 1.0;
+  return dot(normal, normal) > 0.25 ? normalize(normal) : vec3(0.0, 0.0, 1.0);
+}
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);

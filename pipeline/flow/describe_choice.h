@@ -43,7 +43,7 @@ class ChoiceNode final : public Node<typename Tag::Value> {
     for (Node<Value>* node : alternatives_) node->keep_frames(count);
   }
   bool looks_back() const override { return false; }
-  Program* program() override { return nullptr; }
+  std::vector<Program*> programs() override { return {}; }
 
  private:
   Node<Value>& chosen(const FrameState& frame) const {

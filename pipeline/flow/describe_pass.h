@@ -11,10 +11,11 @@
 //   }
 //
 // `run` is called with what the inputs give, in their order. A pass class has `using Value`, one `run`, and
-// perhaps a `program()`; it is made once for a pipeline. Two nodes may run one class: a tag names `Pass` and
-// `Value`. A pass that at times hands its first input on says when by `static bool hands_on(const
-// Settings&)`, and what by `handed`. One whose value may lack parts that only some settings read says so by
-// `static bool lacks_part(const Value& held, const Settings&)`: then it runs again, under the same key.
+// perhaps a `program()`, or several `programs()`; it is made once for a pipeline. Two nodes may run one
+// class: a tag names `Pass` and `Value`. A pass that at times hands its first input on says when by `static
+// bool hands_on(const Settings&)`, and what by `handed`. One whose value may lack parts that only some
+// settings read says so by `static bool lacks_part(const Value& held, const Settings&)`: then it runs again,
+// under the same key.
 #pragma once
 
 #include <tuple>
@@ -100,7 +101,7 @@ class PassNode final : public Node<typename Tag::Value> {
     }
     KeyBuilder key;
     key.add(this->name());
-    if constexpr (kHasProgram) key.add(pass_.program().key());
+    for (const Program* program : programs_of(pass_)) key.add(program->key());
     std::apply([&](const auto&... input) { (input.fold(key, frame), ...); }, inputs_);
     return key.key();
   }
@@ -139,15 +140,17 @@ class PassNode final : public Node<typename Tag::Value> {
   void forget() override { memory_.forget(); }
   void keep_frames(size_t count) override { memory_.set_capacity(count); }
   bool looks_back() const override { return (detail::looks_back<Inputs>() || ...); }
-  Program* program() override {
-    if constexpr (kHasProgram)
-      return &pass_.program();
-    else
-      return nullptr;
-  }
+  std::vector<Program*> programs() override { return programs_of(pass_); }
 
  private:
-  static constexpr bool kHasProgram = requires(Pass & pass) { pass.program(); };
+  static std::vector<Program*> programs_of(Pass& pass) {
+    if constexpr (requires { pass.programs(); })
+      return pass.programs();
+    else if constexpr (requires { pass.program(); })
+      return {&pass.program()};
+    else
+      return {};
+  }
   static constexpr bool kHandsOn = requires(const Settings& settings) { Tag::hands_on(settings); };
 
   static bool lacks_part([[maybe_unused]] const Value& held, [[maybe_unused]] const Settings& settings) {

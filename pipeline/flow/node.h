@@ -44,8 +44,7 @@ class NodeBase {
   virtual Shown show(const FrameState& frame, BufferName buffer) = 0;
   virtual StageCount count() const = 0;
   virtual void forget() = 0;
-  /// Null where it has none.
-  virtual Program* program() = 0;
+  virtual std::vector<Program*> programs() = 0;
   virtual bool looks_back() const = 0;
 
  private:

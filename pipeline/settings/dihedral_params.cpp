@@ -18,7 +18,7 @@ const Description& DihedralParams::description() {
                .help = "A pixel so far off its neighbour's plane, and the other way round, is on another "
                        "surface; in pixels' sizes where it is.",
                .unit = "px",
-               .limits = {0.01, 10000},
+               .limits = {0.01, kMostGap},
                .slider = {0.1, 10},
                .scale = Scale::log}),
           field<&DihedralParams::normals>(

@@ -16,6 +16,9 @@ struct ChoiceNames<BendNormals> {
   static constexpr std::array<std::string_view, 3> names{"surface", "shading", "both"};
 };
 
+/// The largest limit of a gap: no gap within one object reaches it.
+inline constexpr float kMostGap = 50000.0F;
+
 struct DihedralParams {
   float angle = 40.0F;
   float gap = 0.5F;

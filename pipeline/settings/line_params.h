@@ -17,7 +17,7 @@ struct ChoiceNames<WidthUnit> {
 };
 
 struct LineParams {
-  float width = 1.5F;
+  float width = 1.0F;
   WidthUnit unit = WidthUnit::px;
   float taper = 0.0F;
   float depth_taper = 0.0F;

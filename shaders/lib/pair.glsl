@@ -8,16 +8,16 @@
 const float depth_error = 1e-6;
 
 struct Plane {
-  vec4 surface;  // lib/surface.glsl
-  vec3 normal;   // unit
-  float facing;  // cosine between the normal and the ray from the eye
+  vec4 surface;   // lib/surface.glsl
+  vec3 normal;    // unit
+  float upright;  // how far off the plane a point is that lies 1 farther along the view
 };
 
 Plane plane_at(vec4 surface, vec2 from_middle) {
   vec2 ray = ray_through(from_middle);
   vec3 normal = surface_normal(surface, ray);
   float scale = inversesqrt(dot(normal, normal));
-  return Plane(surface, normal * scale, scale * inversesqrt(dot(ray, ray) + 1.0));
+  return Plane(surface, normal * scale, scale);
 }
 
 // Of a's plane over b's, along the view in pixels' sizes.
@@ -46,7 +46,7 @@ vec2 pair_of(Plane a, Plane b, Misfit apart, float bend) {
   if (a.surface.w != b.surface.w) return vec2(0.0, a_is_nearer ? object_gap : -object_gap);
   float at_a = abs(apart.at_a), at_b = abs(apart.at_b);
   bool they_meet = apart.at_a * apart.at_b <= 0.0;
-  float gap = min(at_b * a.facing, at_a * b.facing) - misfit_error(a.surface.z);
+  float gap = min(at_b * a.upright, at_a * b.upright) - misfit_error(a.surface.z);
   if (they_meet || !(gap > meeting_gap)) {
     float share = at_a / max(at_a + at_b, 1e-30);
     gap = meeting_gap * clamp(share, 0.0, 1.0);

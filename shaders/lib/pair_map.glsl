@@ -5,5 +5,5 @@
 // have no gap: there it says where they meet, as a share of the way to the neighbour times `meeting_gap`.
 
 const float object_gap = 60000.0;   // between objects
-const float largest_gap = 50000.0;  // of any other pair
-const float meeting_gap = 0.005;    // no larger gap says where planes meet; no limit is as small
+const float largest_gap = 49152.0;  // of any other pair, a number that 16-bit floats have
+const float meeting_gap = 0.00390625;  // no larger gap says where planes meet; no limit is as small

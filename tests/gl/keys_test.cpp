@@ -147,6 +147,8 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
       {BufferName::visible_depth, {"meshes", "gbuffer", "visible_range", "visible_depth"}},
       {BufferName::albedo, {"meshes", "gbuffer", "albedo"}},
       {BufferName::material_id, {"meshes", "gbuffer", "albedo"}},
+      {BufferName::pair_angles, {"meshes", "gbuffer", "pairs"}},
+      {BufferName::pair_gaps, {"meshes", "gbuffer", "pairs"}},
       {BufferName::shaded, {"meshes", "gbuffer", "shade"}},
       {BufferName::blinn_phong, {"meshes", "gbuffer", "blinn_phong"}},
       {BufferName::final, with_meshes(kFloatChain)}};
@@ -162,8 +164,8 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
 TEST(Keys, all_buffers_together_run_each_pass_once) {
   Pipeline pipeline;
   Names expected = with_meshes(kFloatChain);
-  expected.insert(
-      {"blinn_phong", "lines", "paper_strength", "motion", "visible_range", "visible_depth", "albedo"});
+  expected.insert({"blinn_phong", "lines", "paper_strength", "motion", "visible_range", "visible_depth",
+                   "albedo", "pairs"});
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
                             for (const BufferName buffer : framebuffers())

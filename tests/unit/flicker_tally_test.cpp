@@ -47,9 +47,16 @@ struct HandFrame {
   Image depth, motion;
 };
 
+CameraParams wall_camera() {
+  CameraParams camera;
+  camera.far = static_cast<float>(kWallFar);
+  return camera;
+}
+
 FlickerCounts count(const HandFrame& before, const LineMap& lines_before, const HandFrame& now,
                     const LineMap& lines_now, double tolerance_px = kReachPx) {
-  return LineCarrier({before.depth, kWallFar}, before.motion, {now.depth, kWallFar}, now.motion, tolerance_px)
+  return LineCarrier({before.depth, wall_camera()}, before.motion, {now.depth, wall_camera()}, now.motion,
+                     tolerance_px)
       .counts(lines_before, lines_now);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "pipeline/passes/edges/decaudin_detector.h"
+#include "pipeline/passes/edges/dihedral_detector.h"
 #include "pipeline/passes/edges/laplacian_detector.h"
 #include "pipeline/passes/edges/mitchell_detector.h"
 #include "pipeline/passes/edges/paper_detector.h"
@@ -20,7 +21,7 @@ bool EdgeDetector::sees_facets(const Settings& settings) const {
 
 std::vector<const EdgeDetector*> edge_detectors() {
   return {&paper_detector(),    &decaudin_detector(),  &saito_takahashi_detector(),
-          &mitchell_detector(), &laplacian_detector(), &laplacian_detector()};
+          &mitchell_detector(), &laplacian_detector(), &dihedral_detector()};
 }
 
 const EdgeDetector& edge_detector(const Settings& settings) {

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/passes/edges/pairs.h"
 
+#include <array>
+
 #include "pipeline/flow/describe_pass.h"
+#include "pipeline/gl/framebuffer.h"
 #include "pipeline/passes/edges/detection_pass.h"
 
 namespace inkbench {
 
 const PassKind& PairsPass::kind() {
-  static const PassKind kKind =
-      describe_pass<PairsPass>("pairs", 4, {}, LensInput{}, value_of<GBufferPass>());
+  static const PassKind kKind = describe_pass<PairsPass>(
+      "pairs", 4, {}, derived<needs_surface>(EdgesParams::description), LensInput{}, value_of<GBufferPass>());
   return kKind;
 }
 
@@ -16,8 +19,15 @@ PairsPass::PairsPass(const GeneratedSources& generated)
     : program_("full_screen.vert", "pairs.frag",
                {.samplers = {"surface_map"}, .uniform_blocks = {kLensBlock}}, generated) {}
 
-Texture PairsPass::run(const LensBlock& lens, const GBuffer& gbuffer) const {
-  Texture pairs("pairs", TextureFormat::rgba16f, gbuffer.surface.width_px(), gbuffer.surface.height_px());
+Texture PairsPass::run(bool measures, const LensBlock& lens, const GBuffer& gbuffer) const {
+  const Texture& like = gbuffer.object_id;
+  Texture pairs("pairs", TextureFormat::rgba16f, like.width_px(), like.height_px());
+  if (!measures) {  // the G-buffer may hold no planes
+    const RenderTarget target({&pairs}, nullptr);
+    constexpr std::array kNone{0.0F, 0.0F, 0.0F, 0.0F};
+    glClearBufferfv(GL_COLOR, 0, kNone.data());
+    return pairs;
+  }
   const Buffer lens_uniforms = lens_buffer(lens);
   draw_over(pairs, program_, {&gbuffer.surface}, {&lens_uniforms});
   return pairs;

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <optional>
 
 #include "pipeline/flow/describe_pass.h"
 #include "pipeline/gl/framebuffer.h"
@@ -29,12 +30,11 @@ struct DrawBlock {
   glm::vec4 model_to_distance;
 };
 
-/// surface_block of shaders/gbuffer.frag in std140.
+/// surface_block of shaders/gbuffer_surface.frag in std140.
 struct SurfaceBlock {
   glm::mat4 normal_to_view;
   glm::vec2 middle_px;
-  int is_wanted;
-  int padding;
+  glm::vec2 padding;
 };
 
 /// Distance from the eye to the farthest point of the near plane that the image shows.
@@ -55,11 +55,6 @@ bool back_faces_hidden(const DrawItem& item, const CameraParams& camera, float a
 /// Of a point of the item's model, the distance along the view axis is its dot product with this.
 glm::vec4 model_to_distance(const glm::mat4& world_to_view, const DrawItem& item) {
   return -glm::row(world_to_view * item.model_to_world, 2);
-}
-
-/// Does the settings' detector read the triangles' planes?
-bool needs_surface(const Settings& settings) {
-  return settings.edges.method == EdgeMethod::dihedral;
 }
 
 /// Run with: bool. It is in no key, since it changes none of the other maps (`lacks_part`).
@@ -84,6 +79,10 @@ bool GBufferPass::lacks_part(const GBuffer& held, const Settings& settings) {
   return needs_surface(settings) && held.surface.id() == 0;
 }
 
+bool needs_surface(const Settings& settings) {
+  return settings.edges.method == EdgeMethod::dihedral;
+}
+
 const PassKind& GBufferPass::kind() {
   static const PassKind kKind = describe_pass<GBufferPass>(
       "gbuffer", 10, {shows(BufferName::object_id, &GBuffer::object_id)}, group<&Settings::camera>(),
@@ -93,12 +92,14 @@ const PassKind& GBufferPass::kind() {
 }
 
 GBufferPass::GBufferPass(const GeneratedSources& generated)
-    : program_("gbuffer.vert", "gbuffer.frag",
-               {.samplers = {"face_normals"},
-                .uniform_blocks = {{"draw_block", sizeof(DrawBlock)},
-                                   kLensBlock,
-                                   {"surface_block", sizeof(SurfaceBlock)}}},
-               generated) {}
+    : maps_("gbuffer.vert", "gbuffer.frag", {.uniform_blocks = {{"draw_block", sizeof(DrawBlock)}}},
+            generated),
+      maps_and_surface_("gbuffer.vert", "gbuffer_surface.frag",
+                        {.samplers = {"face_normals"},
+                         .uniform_blocks = {{"draw_block", sizeof(DrawBlock)},
+                                            kLensBlock,
+                                            {"surface_block", sizeof(SurfaceBlock)}}},
+                        generated) {}
 
 GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> items, int width_px,
                          int height_px, bool with_surface) const {
@@ -115,7 +116,7 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
   if (with_surface) glClearBufferfv(GL_COLOR, 2, kNoId.data());
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
   beyond_far_->update(items, camera);
-  program_.use();
+  program(with_surface).use();
   const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
   const glm::mat4 world_to_view = view_matrix(camera);
   const glm::mat4 world_to_clip = projection_matrix(camera, aspect) * world_to_view;
@@ -129,11 +130,14 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
     const Buffer uniforms("draw block", bytes_of(std::span(&block, 1)));
     const SurfaceBlock wanted{glm::mat4(glm::mat3(world_to_view)) * normal_to_world,
                               {0.5F * static_cast<float>(width_px), 0.5F * static_cast<float>(height_px)},
-                              with_surface ? 1 : 0,
-                              0};
-    const Buffer surface("surface block", bytes_of(std::span(&wanted, 1)));
-    bind_uniform_blocks({&uniforms, &lens, &surface});
-    if (with_surface) item.mesh->face_normals().bind(0);
+                              {}};
+    bind_uniform_blocks({&uniforms});
+    std::optional<Buffer> surface;
+    if (with_surface) {
+      surface.emplace("surface block", bytes_of(std::span(&wanted, 1)));
+      bind_uniform_blocks({&uniforms, &lens, &*surface});
+      item.mesh->face_normals().bind(0);
+    }
     // A mirrored model's faces turn the other way on the screen.
     glFrontFace(glm::determinant(glm::mat3(item.model_to_world)) < 0.0F ? GL_CW : GL_CCW);
     (back_faces_hidden(item, camera, aspect) ? glEnable : glDisable)(GL_CULL_FACE);

@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
@@ -23,6 +24,9 @@ struct GBuffer {
                     ///< without storage where it was not asked for.
 };
 
+/// Does the settings' detector read the triangles' planes?
+bool needs_surface(const Settings& settings);
+
 class GBufferPass {
  public:
   using Value = GBuffer;
@@ -32,11 +36,13 @@ class GBufferPass {
   explicit GBufferPass(const GeneratedSources& generated);
   GBuffer run(const CameraParams& camera, std::span<const DrawItem> items, int width_px, int height_px,
               bool with_surface) const;
-  const Program& program() const { return program_; }
-  Program& program() { return program_; }
+  std::vector<Program*> programs() { return {&maps_, &maps_and_surface_}; }
 
  private:
-  Program program_;
+  const Program& program(bool with_surface) const { return with_surface ? maps_and_surface_ : maps_; }
+
+  Program maps_,
+      maps_and_surface_;  ///< Two, since nothing else keeps the software renderer from working out both.
   std::unique_ptr<BeyondFarNotes> beyond_far_ = std::make_unique<BeyondFarNotes>();
 };
 
