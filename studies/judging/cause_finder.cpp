@@ -192,6 +192,7 @@ std::optional<PixelCause> find_cause(Pipeline& pipeline, const Settings& setting
 Key causes_key(const Frame& frame) {
   KeyBuilder builder;
   builder.add("causes");
+  builder.add(judge_text(frame.settings().judge));
   for (const Key& key : frame.pass_keys()) builder.add(key);
   return builder.key();
 }

@@ -57,7 +57,7 @@ CauseMaps find_causes(Pipeline& pipeline, const Settings& settings);
 /// false or missed, which is found out first.
 std::optional<PixelCause> find_cause(Pipeline& pipeline, const Settings& settings, int x, int y);
 
-/// Of all that decides the causes but the judge: other sizes and normals follow from the settings themselves.
+/// Of all that decides the causes: other sizes and normals follow from the settings themselves.
 Key causes_key(const Frame& frame);
 
 /// H x W: whether the pixels within `reach_px` of a pixel lie within its size (in the world) of its plane,
