@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/base/cache_folder.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
 #include "pipeline/mesh/levels/decimation.h"

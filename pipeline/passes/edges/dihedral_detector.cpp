@@ -130,7 +130,7 @@ class DihedralDetector final : public EdgeDetector {
     const double weak = settings.edges.weak;
     const Sides sides =
         pixel_sides(maps[BufferName::pair_angles], maps[BufferName::pair_gaps], params, weak, x, y);
-    Explanation result{.detector = std::string(name()), .x = x, .y = y};
+    Explanation result{.detector = std::string(name()), .x = x, .y = y, .by_largest = true};
     result.terms = {
         term_of("angle", "Angle to the neighbours", sides, &PixelSide::angle_deg, params.angle, "deg"),
         term_of("gap", "Gap to the neighbours", sides, &PixelSide::gap_px, params.gap, "px")};
