@@ -9,13 +9,23 @@
 namespace inkbench {
 namespace {
 
+/// What a shader's rounding may change of a small difference of large numbers; with more there is no telling.
+constexpr double kLeastSlack = 1e-3, kMostSlack = 0.05;
+/// Numbers so many times off draw or remove everything.
+constexpr double kFarOff = 1000;
+
 /// The pixel again and again with other values of one parameter.
 class Retry {
  public:
-  Retry(const EdgeDetector& detector, const PerBuffer<Image>& maps, const Settings& settings, int x, int y)
-      : detector_(detector), maps_(maps), settings_(settings), x_(x), y_(y), was_line_(is_line()) {}
-
-  bool was_line() const { return was_line_; }
+  Retry(const EdgeDetector& detector, const PerBuffer<Image>& maps, const Settings& settings, int x, int y,
+        double slack)
+      : detector_(detector),
+        maps_(maps),
+        settings_(settings),
+        x_(x),
+        y_(y),
+        slack_(slack),
+        was_line_(is_line()) {}
 
   std::optional<ExplainedChange> change_of(const std::string& key) {
     const Param param = find_param(settings_, key, "explain");
@@ -52,7 +62,11 @@ class Retry {
   std::optional<Value> nearest(const Param& param, float now) {
     for (const float far :
          {within(*param.field, param.field->limits.low), within(*param.field, param.field->limits.high)}) {
-      if (far != now && changes_at(param, far)) return rounded(param, boundary(param, now, far), far);
+      if (far == now || !changes_at(param, far)) continue;
+      const float value = rounded(param, boundary(param, now, far), far);
+      const bool is_far_off =
+          std::max(value, now) > kFarOff * std::min(value, now) && std::min(value, now) > 0;
+      return is_far_off ? std::nullopt : std::optional<Value>(value);
     }
     return std::nullopt;
   }
@@ -68,12 +82,11 @@ class Retry {
     return std::bit_cast<float>(to);
   }
 
-  /// To four digits away from the present value, and beyond what a graphics card's rounding may change.
-  Value rounded(const Param& param, float value, float far) {
-    constexpr double kSlack = 4e-6;
+  /// To three digits away from the present value, and beyond the slack.
+  float rounded(const Param& param, float value, float far) {
     const bool upwards = far > value;
-    const double beyond = value * (upwards ? 1 + kSlack : 1 - kSlack);
-    const double unit = value > 0 ? std::pow(10.0, std::floor(std::log10(beyond)) - 3) : 1;
+    const double beyond = value * (upwards ? 1 + slack_ : 1 - slack_);
+    const double unit = value > 0 ? std::pow(10.0, std::floor(std::log10(beyond)) - 2) : 1;
     const double text = (upwards ? std::ceil(beyond / unit) : std::floor(beyond / unit)) * unit;
     const auto result =
         static_cast<float>(upwards ? std::min<double>(text, far) : std::max<double>(text, far));
@@ -84,14 +97,16 @@ class Retry {
   const PerBuffer<Image>& maps_;
   Settings settings_;
   int x_, y_;
+  double slack_;
   bool was_line_;
 };
 
 }  // namespace
 
 std::vector<ExplainedChange> deciding_values(const EdgeDetector& detector, const PerBuffer<Image>& maps,
-                                             const Settings& settings, int x, int y) {
-  Retry retry(detector, maps, settings, x, y);
+                                             const Settings& settings, int x, int y, double slack) {
+  if (slack > kMostSlack) return {};
+  Retry retry(detector, maps, settings, x, y, std::max(slack, kLeastSlack));
   std::vector<ExplainedChange> changes;
   for (const std::string& key : detector.deciding_parameters()) {
     if (const std::optional<ExplainedChange> change = retry.change_of(key)) changes.push_back(*change);

@@ -9,9 +9,11 @@ namespace inkbench {
 
 /// For each of the detector's parameters the value nearest to the present one with which the pixel (x, y) of
 /// `maps` is a line if it is none, and none if it is one; none where no value within the limits does that
-/// alone. Numbers are rounded to four digits beyond the value at which it changes. Switches that remove lines
-/// are left out: they remove all. As `EdgeDetector::explain` takes its arguments.
+/// alone. Numbers are rounded to three digits beyond the value at which it changes, and by `slack` (a share)
+/// beyond it: what the drawn strength and the explained one differ by. Left out are numbers over a thousand
+/// times off, which draw rounding, and switches that remove lines: they remove all. As
+/// `EdgeDetector::explain` takes its arguments.
 std::vector<ExplainedChange> deciding_values(const EdgeDetector& detector, const PerBuffer<Image>& maps,
-                                             const Settings& settings, int x, int y);
+                                             const Settings& settings, int x, int y, double slack = 0);
 
 }  // namespace inkbench

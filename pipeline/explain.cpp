@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/base/error.h"
@@ -61,16 +62,21 @@ void check_inside(const ImageParams& image, int x, int y) {
 }
 
 /// What the detector says of the pixel (x, y) of its maps, and what would have it say otherwise.
-Explanation explained_with_changes(const PerBuffer<Image>& maps, const Settings& settings, int x, int y) {
+Explanation explained_with_changes(const PerBuffer<Image>& maps, const Settings& settings, int x, int y,
+                                   double drawn) {
   const EdgeDetector& detector = edge_detector(settings);
   Explanation explanation = detector.explain(maps, settings, x, y);
-  explanation.changes = deciding_values(detector, maps, settings, x, y);
+  explanation.drawn = drawn;
+  const bool is_strength = explanation.by_largest && drawn > 0;
+  const double off = is_strength ? 2 * std::abs(explanation.edge - drawn) / drawn : 0;
+  explanation.changes = deciding_values(detector, maps, settings, x, y, std::isfinite(off) ? off : 0);
   return explanation;
 }
 
 std::string changes_text(const Explanation& explanation) {
   const char* what = explanation.is_line ? "remove" : "draw";
-  if (explanation.changes.empty()) return fmt::format("No value of a single limit would {} it.\n", what);
+  if (explanation.changes.empty())
+    return fmt::format("No useful value of a single limit would {} it.\n", what);
   std::string text = fmt::format("Would {} it:\n", what);
   for (const ExplainedChange& change : explanation.changes)
     text +=
@@ -103,10 +109,10 @@ KeptMaps keep_maps(const Frame& frame) {
 
 Explanation explain_pixel(const KeptMaps& maps, int x, int y) {
   check_inside(maps.settings.image, x, y);
-  Explanation explanation = explained_with_changes(maps.raw, maps.settings, x, y);
+  Explanation explanation =
+      explained_with_changes(maps.raw, maps.settings, x, y, maps.raw[maps.decided].at(x, y));
   explanation.x = x;
   explanation.y = y;
-  explanation.drawn = maps.raw[maps.decided].at(x, y);
   return explanation;
 }
 
@@ -120,10 +126,10 @@ Explanation explain_pixel(const Frame& frame, int x, int y) {
   const int height = std::min(y + reach + 1, image.height) - top;
   PerBuffer<Image> maps;
   for (const BufferName map : detector.maps()) maps[map] = frame.raw_part(map, left, top, width, height);
-  Explanation explanation = explained_with_changes(maps, frame.settings(), x - left, y - top);
+  Explanation explanation = explained_with_changes(maps, frame.settings(), x - left, y - top,
+                                                   frame.pixel(detector.decided(), x, y).at(0, 0));
   explanation.x = x;
   explanation.y = y;
-  explanation.drawn = frame.pixel(detector.decided(), x, y).at(0, 0);
   return explanation;
 }
 

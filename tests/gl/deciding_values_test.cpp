@@ -14,8 +14,12 @@ namespace {
 class DecidingValues : public testing::Test {
  protected:
   bool is_drawn(const Settings& settings, int x, int y) {
-    const float decided = pipeline_.at(settings).pixel(edge_detector(settings).decided(), x, y).at(0, 0);
-    return settings.edges.method == EdgeMethod::paper ? decided != 0 : decided >= 1;
+    const Frame frame = pipeline_.at(settings);
+    const float decided = frame.pixel(edge_detector(settings).decided(), x, y).at(0, 0);
+    if (settings.edges.method == EdgeMethod::paper) return decided != 0;
+    // A pixel alone is no line of dihedral's, whatever its strength.
+    const bool is_dot = settings.edges.method == EdgeMethod::dihedral && !explain_pixel(frame, x, y).is_line;
+    return decided >= 1 && !is_dot;
   }
 
   static Settings with(Settings settings, const std::string& key, const Value& value) {
@@ -23,7 +27,7 @@ class DecidingValues : public testing::Test {
     return settings;
   }
 
-  /// The value changes the pixel as it was drawn; one a thousandth nearer to the present one does not.
+  /// The value changes the pixel as it was drawn; one 2 % nearer to the present one does not.
   void expect_decides(const Settings& settings, int x, int y, const ExplainedChange& change) {
     const bool was_drawn = is_drawn(settings, x, y);
     const auto what = [&] {
@@ -33,7 +37,7 @@ class DecidingValues : public testing::Test {
     EXPECT_NE(is_drawn(with(settings, change.parameter, change.value), x, y), was_drawn) << what();
     if (!std::holds_alternative<float>(change.value)) return;
     const float value = std::get<float>(change.value), now = std::get<float>(change.now);
-    const float less = value > now ? std::max(value * 0.999F, now) : std::min(value * 1.001F, now);
+    const float less = value > now ? std::max(value * 0.98F, now) : std::min(value * 1.02F, now);
     EXPECT_EQ(is_drawn(with(settings, change.parameter, less), x, y), was_drawn) << what() << " or less";
   }
 
@@ -42,7 +46,7 @@ class DecidingValues : public testing::Test {
     int drew = 0, removed = 0;
     const Frame frame = pipeline_.at(settings);
     for (int y = 3; y < settings.image.height - 3; y += 17) {
-      for (int x = 4; x < settings.image.width - 3; x += 13) {
+      for (int x = 4; x < settings.image.width - 3; x += 7) {
         const Explanation why = explain_pixel(frame, x, y);
         for (const ExplainedChange& change : why.changes) {
           expect_decides(settings, x, y, change);
@@ -59,13 +63,14 @@ class DecidingValues : public testing::Test {
 TEST_F(DecidingValues, each_alone_changes_the_pixel_and_a_little_less_does_not_with_every_method) {
   std::vector<EdgeMethod> methods = other_methods();
   methods.push_back(EdgeMethod::paper);
+  methods.push_back(EdgeMethod::dihedral);
   for (const EdgeMethod method : methods) {
     SCOPED_TRACE(name_of_method(method));
     Settings settings = paper_scene(96, 80);
     settings.edges.method = method;
     const auto [drew, removed] = try_all(settings);
     EXPECT_GT(drew, 5);
-    EXPECT_GT(removed, 2);
+    EXPECT_GT(removed, 0);
   }
 }
 
@@ -104,7 +109,8 @@ TEST_F(DecidingValues, text_and_json_name_the_parameter_its_value_and_the_presen
   why.is_line = true;
   EXPECT_NE(explanation_text(why).find("Would remove it:"), std::string::npos);
   why.changes.clear();
-  EXPECT_NE(explanation_text(why).find("No value of a single limit would remove it."), std::string::npos);
+  EXPECT_NE(explanation_text(why).find("No useful value of a single limit would remove it."),
+            std::string::npos);
 }
 
 }  // namespace
