@@ -126,6 +126,7 @@ void overlay_choice(WindowLayout& layout, UiMap& ui_map) {
   for (size_t i = 0; i < kChoices.size(); ++i) {
     const auto overlay = static_cast<Overlay>(i);
     if (i > 0) ImGui::SameLine(0, 2);
+    if (i > 0 && ImGui::GetContentRegionAvail().x < button_width(kChoices[i].first)) ImGui::NewLine();
     if (toggle_button(kChoices[i].first, layout.overlay == overlay, kChoices[i].second))
       layout.overlay = overlay;
     ui_map.mark_item("overlay:" + std::to_string(i));

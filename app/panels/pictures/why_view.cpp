@@ -144,9 +144,12 @@ void draw_term(const ExplainedTerm& term, bool by_largest, ImU32 colour) {
   wrapped_text(cause + ".", theme().faint);
 }
 
-void draw_explanation(const Explanation& why) {
+void draw_verdict(const Explanation& why) {
   wrapped_text(why.verdict, theme().text);
   draw_sum(why);
+}
+
+void draw_terms(const Explanation& why) {
   for (size_t i = 0; i < why.terms.size(); ++i) draw_term(why.terms[i], why.by_largest, term_colour(i));
 }
 
@@ -208,10 +211,12 @@ void draw_why(Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map
   try {
     const Explanation* why = explanation_of(viewer, *view.marked, pinned);
     if (why == nullptr) return;
-    draw_explanation(*why);
-    if (pinned) return;  // its settings are others
-    draw_changes(*why, document, ui_map);
-    draw_cause(viewer.judge.causes, *view.marked, ui_map);
+    draw_verdict(*why);
+    if (!pinned) {  // its settings are others
+      draw_cause(viewer.judge.causes, *view.marked, ui_map);
+      draw_changes(*why, document, ui_map);
+    }
+    draw_terms(*why);
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }
