@@ -29,7 +29,6 @@
 #include "pipeline/passes/ink/drawn_lines.h"
 #include "pipeline/passes/ink/flood.h"
 #include "pipeline/passes/ink/ink.h"
-#include "pipeline/passes/ink/line_tiles.h"
 #include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/ink/seeds.h"
 #include "pipeline/passes/light/shade.h"
@@ -37,6 +36,8 @@
 #include "pipeline/passes/placing/candidates.h"
 #include "pipeline/passes/placing/connect.h"
 #include "pipeline/passes/placing/dihedral_place.h"
+#include "pipeline/passes/placing/dihedral_tiles.h"
+#include "pipeline/passes/placing/line_tiles.h"
 #include "pipeline/passes/placing/place.h"
 #include "pipeline/passes/placing/placed_lines.h"
 
@@ -57,10 +58,10 @@ std::vector<const PassKind*>& list() {
       &PairsPass::kind(), &ShadedPairsPass::kind(), &DihedralPass::kind(),
       &FoundEdges::kind(),
       // where lines run
-      &CandidatesPass::kind(), &PlacePass::kind(), &DihedralPlacePass::kind(), &PlacedLines::kind(), &ConnectPass::kind(),
+      &CandidatesPass::kind(), &PlacePass::kind(), &PairTilesPass::kind(), &DihedralTilesPass::kind(), &DihedralPlacePass::kind(), &PlacedLines::kind(), &ConnectPass::kind(),
       // how wide they are, and what of each pixel they cover
       &SeedsPass::kind(), &FloodPass::kind(), &CoveragePass::kind(),
-      &LineTilesPass::kind(), &NarrowCoveragePass::kind(), &LineCoverage::kind(),
+      &LineTilesPass::kind(), &LineTiles::kind(), &NarrowCoveragePass::kind(), &LineCoverage::kind(),
       &AliasedCoverage::kind(), &SampledCoverage::kind(),
       &PublishedLookPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
       // light, and ink over it

@@ -192,6 +192,10 @@ void bind_textures(std::initializer_list<const Texture*> textures) {
 }
 
 void bind_uniform_blocks(std::initializer_list<const Buffer*> buffers) {
+  bind_uniform_blocks(std::span(buffers.begin(), buffers.size()));
+}
+
+void bind_uniform_blocks(std::span<const Buffer* const> buffers) {
   GLuint binding = 0;
   for (const Buffer* buffer : buffers) glBindBufferBase(GL_UNIFORM_BUFFER, binding++, buffer->id());
 }

@@ -75,6 +75,7 @@ class Program {
 void bind_textures(std::initializer_list<const Texture*> textures);
 
 /// Binds buffers to uniform bindings 0, 1, ... in the order of the program's blocks.
+void bind_uniform_blocks(std::span<const Buffer* const> buffers);
 void bind_uniform_blocks(std::initializer_list<const Buffer*> buffers);
 
 }  // namespace inkbench

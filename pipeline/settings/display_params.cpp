@@ -36,7 +36,8 @@ const Description& DisplayParams::description() {
                .help = "The picture of the angles to the neighbours is multiplied by this.",
                .limits = {1e-6, 1e6},
                .slider = {1e-3, 0.1},
-               .scale = Scale::log}),
+               .scale = Scale::log,
+               .matters_when = "edges.method = dihedral"}),
       }};
   return kDescription;
 }

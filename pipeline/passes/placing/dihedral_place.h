@@ -14,9 +14,10 @@ class DihedralPlacePass {
   using Value = Texture;
   static const PassKind& kind();
   explicit DihedralPlacePass(const GeneratedSources& generated);
-  /// In: pairs (edges/pairs.h). Out: placed lines (placed_lines.h). A crease lies where its planes meet; a
-  /// step half a pixel inside the nearer surface, smoothed over five pixels along it.
-  Texture run(const DihedralParams& params, float weak, const Texture& pairs) const;
+  /// In: pairs (edges/pairs.h), and the tiles that have any over the limits. Out: placed lines
+  /// (placed_lines.h). A crease lies where its planes meet; a step half a pixel inside the nearer surface,
+  /// smoothed over five pixels along it.
+  Texture run(const DihedralParams& params, float weak, const Texture& pairs, const Texture& tiles) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

@@ -21,4 +21,11 @@ class LineTilesPass {
   Program program_;
 };
 
+/// The tiles that lines may be in, by the method's own way where it has one.
+struct LineTiles {
+  using Value = Texture;
+  static const PassKind& kind();
+  static size_t chosen(const Settings& settings);
+};
+
 }  // namespace inkbench
