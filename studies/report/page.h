@@ -43,8 +43,8 @@ struct PageCell {
   std::vector<std::string> pictures;    ///< Paths relative to the page; empty where there are none.
   std::vector<std::string> thumbnails;  ///< As `thumbnail` makes them, for the first pictures or all.
   std::vector<std::string> overlays;    ///< For each view the path of an SVG file or ""; may be empty.
-  std::vector<std::string> causes;      ///< The same of PNG files that show causes of wrong lines.
   std::vector<std::string> row;         ///< A field for each column; empty where the table has no such row.
+  std::vector<std::string> causes;      ///< As overlays, of PNG files that show why lines are wrong.
 };
 
 /// A cause of false or missed lines, for the legend.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/judging/cause_finder.h"
+#include "studies/sweep/run_study.h"
 
 #include <algorithm>
 #include <chrono>
