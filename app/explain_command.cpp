@@ -65,13 +65,23 @@ std::string with_cause(const std::string& explanation, const std::optional<Pixel
   return json.dump() + "\n";
 }
 
+/// An image that is too large to be drawn at twice its size is explained without a cause, and says so.
+std::optional<PixelCause> cause_if_found(Pipeline& pipeline, const Settings& settings, int x, int y) {
+  try {
+    return find_cause(pipeline, settings, x, y);
+  } catch (const Error& error) {
+    print_error("inkbench: note: {}\n", error.what());
+    return std::nullopt;
+  }
+}
+
 void explain(const ExplainOptions& options) {
   const auto [x, y] = pixel_of(options.pixel);
   const Settings settings = chosen_scene(options.scene).settings;
   const HeadlessContext context;
   Pipeline pipeline;
   const Explanation explanation = explain_pixel(pipeline.at(settings), x, y);
-  const std::optional<PixelCause> cause = find_cause(pipeline, settings, x, y);
+  const std::optional<PixelCause> cause = cause_if_found(pipeline, settings, x, y);
   if (options.json) {
     print_out("{}", with_cause(explanation_json(explanation), cause));
   } else {

@@ -85,10 +85,8 @@ std::string changes_text(const Explanation& explanation) {
 }
 
 nlohmann::ordered_json json_of(const ExplainedChange& change) {
-  const auto number = [](const Value& value) {
-    if (const float* real = std::get_if<float>(&value)) return nlohmann::ordered_json(*real);
-    return nlohmann::ordered_json(std::get<bool>(value));
-  };
+  // As text has them: a float's shortest digits.
+  const auto number = [](const Value& value) { return nlohmann::ordered_json::parse(to_text(value)); };
   return {{"parameter", change.parameter}, {"value", number(change.value)}, {"now", number(change.now)}};
 }
 
