@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
+#include "pipeline/deciding_values.h"
 #include "pipeline/passes/edges/edge_detector.h"
 
 namespace inkbench {
@@ -59,6 +61,35 @@ void check_inside(const ImageParams& image, int x, int y) {
                     fmt::format("x is from 0 to {}, y from 0 to {}", image.width - 1, image.height - 1));
 }
 
+/// What the detector says of the pixel (x, y) of its maps, and what would have it say otherwise.
+Explanation explained_with_changes(const PerBuffer<Image>& maps, const Settings& settings, int x, int y,
+                                   double drawn) {
+  const EdgeDetector& detector = edge_detector(settings);
+  Explanation explanation = detector.explain(maps, settings, x, y);
+  explanation.drawn = drawn;
+  const bool is_strength = explanation.by_largest && drawn > 0;
+  const double off = is_strength ? 2 * std::abs(explanation.edge - drawn) / drawn : 0;
+  explanation.changes = deciding_values(detector, maps, settings, x, y, std::isfinite(off) ? off : 0);
+  return explanation;
+}
+
+std::string changes_text(const Explanation& explanation) {
+  const char* what = explanation.is_line ? "remove" : "draw";
+  if (explanation.changes.empty())
+    return fmt::format("No useful value of a single limit would {} it.\n", what);
+  std::string text = fmt::format("Would {} it:\n", what);
+  for (const ExplainedChange& change : explanation.changes)
+    text +=
+        fmt::format("  {} = {}  (now {})\n", change.parameter, to_text(change.value), to_text(change.now));
+  return text;
+}
+
+nlohmann::ordered_json json_of(const ExplainedChange& change) {
+  // As text has them: a float's shortest digits.
+  const auto number = [](const Value& value) { return nlohmann::ordered_json::parse(to_text(value)); };
+  return {{"parameter", change.parameter}, {"value", number(change.value)}, {"now", number(change.now)}};
+}
+
 }  // namespace
 
 KeptMaps keep_maps(const Frame& frame) {
@@ -76,10 +107,10 @@ KeptMaps keep_maps(const Frame& frame) {
 
 Explanation explain_pixel(const KeptMaps& maps, int x, int y) {
   check_inside(maps.settings.image, x, y);
-  Explanation explanation = edge_detector(maps.settings).explain(maps.raw, maps.settings, x, y);
+  Explanation explanation =
+      explained_with_changes(maps.raw, maps.settings, x, y, maps.raw[maps.decided].at(x, y));
   explanation.x = x;
   explanation.y = y;
-  explanation.drawn = maps.raw[maps.decided].at(x, y);
   return explanation;
 }
 
@@ -93,10 +124,10 @@ Explanation explain_pixel(const Frame& frame, int x, int y) {
   const int height = std::min(y + reach + 1, image.height) - top;
   PerBuffer<Image> maps;
   for (const BufferName map : detector.maps()) maps[map] = frame.raw_part(map, left, top, width, height);
-  Explanation explanation = detector.explain(maps, frame.settings(), x - left, y - top);
+  Explanation explanation = explained_with_changes(maps, frame.settings(), x - left, y - top,
+                                                   frame.pixel(detector.decided(), x, y).at(0, 0));
   explanation.x = x;
   explanation.y = y;
-  explanation.drawn = frame.pixel(detector.decided(), x, y).at(0, 0);
   return explanation;
 }
 
@@ -106,7 +137,7 @@ std::string explanation_text(const Explanation& explanation) {
       explanation.line_class.empty() ? "" : ": a line of class " + explanation.line_class,
       explanation.verdict);
   for (const ExplainedTerm& term : explanation.terms) text += term_text(term, explanation.by_largest);
-  return text;
+  return text + changes_text(explanation);
 }
 
 std::string explanation_json(const Explanation& explanation) {
@@ -123,6 +154,8 @@ std::string explanation_json(const Explanation& explanation) {
                               {"verdict", explanation.verdict}};
   json["terms"] = nlohmann::ordered_json::array();
   for (const ExplainedTerm& term : explanation.terms) json["terms"].push_back(json_of(term));
+  json["changes"] = nlohmann::ordered_json::array();
+  for (const ExplainedChange& change : explanation.changes) json["changes"].push_back(json_of(change));
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

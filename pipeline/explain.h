@@ -27,7 +27,7 @@ KeptMaps keep_maps(const Frame& frame);
 /// As of the frame itself.
 Explanation explain_pixel(const KeptMaps& maps, int x, int y);
 
-/// For a person: the verdict, then each term with its inputs and cause.
+/// For a person: the verdict, each term with its inputs and cause, and what would change it.
 std::string explanation_text(const Explanation& explanation);
 
 /// One JSON object on one line.

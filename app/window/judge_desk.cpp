@@ -48,6 +48,7 @@ void JudgeDesk::take_results() {
 void JudgeDesk::refresh(Pictures& pictures, const Frame& frame, Wanted wanted, bool hurry) {
   take_results();
   if (!wanted.measures) full_mesh_.forget();
+  wanted.causes ? causes.refresh(pictures.pipeline(), frame, hurry) : causes.forget();
   if (!wanted.lines && !wanted.measures) return;
   ReferenceDesk& reference = pictures.reference();
   reference.refresh(frame);
@@ -65,6 +66,7 @@ void JudgeDesk::refresh(Pictures& pictures, const Frame& frame, Wanted wanted, b
 TileOverlay JudgeDesk::overlay(Overlay kind, ReferenceDesk& reference) {
   if (kind == Overlay::reference && reference.now() != nullptr)
     return {&reference.overlay(), reference.now()->key, kReferenceVeil};
+  if (kind == Overlay::causes) return causes.overlay();
   if (kind == Overlay::matches && now_ && now_->error.empty()) {
     const Key key = KeyBuilder().add("matches").add(std::to_string(now_->id)).key();
     return {&matches_.get(key, [&] { return texture_of("matches overlay", match_overlay(now_->maps)); }), key,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/window/cause_desk.h"
 #include "app/window/full_mesh_desk.h"
 #include "app/window/pictures.h"
 #include "app/window/tile.h"
@@ -18,11 +19,11 @@ namespace inkbench {
 class JudgeDesk {
  public:
   /// `news` must outlive it.
-  explicit JudgeDesk(News& news) : full_mesh_(news), judge_(news), pinned_judge_(news) {}
+  explicit JudgeDesk(News& news) : causes(news), full_mesh_(news), judge_(news), pinned_judge_(news) {}
 
   /// What is looked at: nothing is read or measured that nobody sees.
   struct Wanted {
-    bool measures = false, lines = false;
+    bool measures = false, lines = false, causes = false;
   };
 
   /// Takes in what was measured and asks for what is not up to date. `hurry`: something is being dragged, so
@@ -38,6 +39,8 @@ class JudgeDesk {
 
   /// The lines to lay over pictures of the present settings; none where there are none yet.
   TileOverlay overlay(Overlay kind, ReferenceDesk& reference);
+
+  CauseDesk causes;
 
  private:
   void refresh_measures(const Frame& frame, const FoundLines& lines, const KeyedView& full);

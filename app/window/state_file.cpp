@@ -64,6 +64,14 @@ Json why_of(const Workbench& bench) {
   return json;
 }
 
+/// Pixels of each cause; null where they are not asked for or not found yet.
+Json causes_of(const CauseDesk& causes) {
+  if (causes.now() == nullptr) return nullptr;
+  Json json = Json::object();
+  for (const CauseInfo& info : cause_table()) json[std::string(info.key)] = causes.counts().of(info.cause);
+  return json;
+}
+
 Json passes_of(const Workbench& bench) {
   Json json = Json::object();
   for (const auto& [name, count] : bench.viewer.pictures.pipeline().counts()) {
@@ -174,6 +182,7 @@ std::string state_text(const Workbench& bench) {
             {"finds_lines", bench.viewer.pictures.reference().is_busy()},
             {"prepares_levels", bench.viewer.ladders.is_busy()},
             {"judge", judge_of(bench.viewer.judge)},
+            {"causes", causes_of(bench.viewer.judge.causes)},
             {"why", why_of(bench)},
             {"studies", studies_of(bench.studies)},
             {"tooltip", shows_tooltip()},

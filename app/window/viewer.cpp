@@ -45,7 +45,8 @@ void Viewer::draw(const Frame& frame) {
   pictures.refresh(frame, wanted_buffers(layout_, view_), looked_at(view_));
   const bool judges = layout_.show_inspector && layout_.side_page == SidePage::judge;
   judge.refresh(pictures, frame,
-                {judges || layout_.overlay == Overlay::matches, layout_.overlay == Overlay::reference},
+                {judges || layout_.overlay == Overlay::matches, layout_.overlay == Overlay::reference,
+                 layout_.overlay == Overlay::causes},
                 hurry);
 }
 

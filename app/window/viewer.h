@@ -36,7 +36,7 @@ class Viewer {
   /// Once a frame, before the panels: brings the pictures that are looked at up to date.
   void refresh();
   /// Whether something that is looked at waits for another frame.
-  bool has_late() const { return !failed_ && pictures.has_late(); }
+  bool has_late() const { return !failed_ && (pictures.has_late() || judge.causes.has_step()); }
   /// Of the pictures that are shown. Panels read pixels of it: another would run a pass in the middle of the
   /// window's frame.
   const std::optional<Frame>& drawn() const { return drawn_; }

@@ -30,10 +30,10 @@ struct ChoiceNames<SidePage> {
 };
 
 /// Lines laid over all pictures.
-enum class Overlay { none, reference, matches };
+enum class Overlay { none, reference, matches, causes };
 template <>
 struct ChoiceNames<Overlay> {
-  static constexpr std::array<std::string_view, 3> names{"none", "reference", "matches"};
+  static constexpr std::array<std::string_view, 4> names{"none", "reference", "matches", "causes"};
 };
 
 struct WindowLayout {

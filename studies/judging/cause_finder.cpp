@@ -1,106 +1,104 @@
 // SPDX-License-Identifier: MIT
 #include "studies/judging/cause_finder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "pipeline/base/error.h"
+#include "pipeline/gl/context.h"
 #include "pipeline/passes/edges/edge_detector.h"
 #include "pipeline/passes/lines/reference.h"
 #include "studies/judging/measured_lines.h"
+#include "studies/measures/distance.h"
+#include "studies/measures/matching.h"
 
 namespace inkbench {
 namespace {
 
-/// One normal a vertex on every model whose normals may be split; none where that changes nothing.
+/// Whether the model's own normals are read: flat and smooth levels have others.
+bool has_own_normals(const Settings& settings, size_t model) {
+  const LevelNormals level = level_of(settings, model).normals;
+  return level != LevelNormals::flat && level != LevelNormals::smooth;
+}
+
+/// One normal a vertex on every mesh whose vertices may be split; nothing where none may. Flat faces have
+/// normals of their own, and so have built-in shapes.
 std::optional<Settings> with_smooth_normals(const Settings& settings) {
   Settings smooth = settings;
   bool changes = false;
-  for (ModelParams& model : smooth.models) {
-    // Flat faces have their own normals: nothing is split there.
-    if (model.shape != Shape::mesh || model.normals == ModelNormals::flat) continue;
-    changes = changes || model.normals != ModelNormals::smooth;
+  for (size_t i = 0; i < smooth.models.size(); ++i) {
+    ModelParams& model = smooth.models[i];
+    const bool may_be_split = model.normals == ModelNormals::file || model.normals == ModelNormals::crease;
+    if (!model.visible || model.shape != Shape::mesh || !may_be_split || !has_own_normals(settings, i))
+      continue;
     model.normals = ModelNormals::smooth;
+    changes = true;
   }
-  const bool is_flat_level = settings.mesh.normals == LevelNormals::flat;
-  return changes && !is_flat_level ? std::optional(smooth) : std::nullopt;
+  return changes ? std::optional(smooth) : std::nullopt;
 }
 
-/// Edges that bend less count from here on: what even a flat face's neighbours differ by through rounding.
+/// Smooth normals where they are flat; nothing where none are.
+std::optional<Settings> without_flat_normals(const Settings& settings) {
+  Settings smooth = settings;
+  bool changes = smooth.mesh.normals == LevelNormals::flat;
+  if (changes) smooth.mesh.normals = LevelNormals::smooth;
+  for (ModelParams& model : smooth.models) {
+    if (!model.visible || model.normals != ModelNormals::flat) continue;
+    model.normals = ModelNormals::smooth;
+    changes = true;
+  }
+  return changes ? std::optional(smooth) : std::nullopt;
+}
+
+/// Edges that bend less are rounding's.
 constexpr float kSlightBendDegrees = 2.0F;
-
-Settings with_slight_creases(const Settings& settings) {
-  Settings slight = settings;
-  slight.judge.crease_angle = std::min(kSlightBendDegrees, settings.judge.crease_angle);
-  return slight;
-}
 
 Settings twice_as_large(const Settings& settings) {
   Settings large = settings;
   large.image.width *= 2;
   large.image.height *= 2;
-  return large;
+  const int most = renderer_info().max_side_px;
+  if (std::max(large.image.width, large.image.height) <= most) return large;
+  throw input_error(
+      "causes",
+      fmt::format("are found by drawing at twice the size, {} x {} px, too large for this renderer",
+                  large.image.width, large.image.height),
+      fmt::format("choose an image of at most {0} x {0} px", most / 2));
 }
 
-/// 1 / distance, 0 where no model is; orthographic: the distance.
-double affine_depth(float depth, const CameraParams& camera) {
-  const double distance = static_cast<double>(depth) * camera.far;
-  if (is_orthographic(camera)) return distance;
-  return depth >= 1.0F ? 0.0 : 1.0 / distance;
-}
-
-/// The smaller one of the differences to both neighbours along an axis.
-double flatter_slope(double before, double here, double after) {
-  const double back = here - before, forth = after - here;
-  return std::abs(back) < std::abs(forth) ? back : forth;
+Settings with_float_buffers(const Settings& settings) {
+  Settings precise = settings;
+  precise.image.precision = Precision::float32;
+  return precise;
 }
 
 }  // namespace
 
-LineMap even_pixels(const Image& depth, const CameraParams& camera, int reach_px) {
-  LineMap even(depth.width_px, depth.height_px);
-  const double delta = pixel_size(camera, 1.0, depth.height_px);
-  const auto at = [&](int x, int y) {
-    return affine_depth(depth.at(std::clamp(x, 0, depth.width_px - 1), std::clamp(y, 0, depth.height_px - 1)),
-                        camera);
-  };
-  for (int y = 0; y < depth.height_px; ++y) {
-    for (int x = 0; x < depth.width_px; ++x) {
-      if (depth.at(x, y) >= 1.0F) continue;
-      const double here = at(x, y), unit = is_orthographic(camera) ? delta : here * delta;
-      const double slope_x = flatter_slope(at(x - 1, y), here, at(x + 1, y));
-      const double slope_y = flatter_slope(at(x, y - 1), here, at(x, y + 1));
-      const double slant = std::sqrt(1.0 + (slope_x * slope_x + slope_y * slope_y) / (unit * unit));
-      double farthest = 0;
-      for (int dy = -reach_px; dy <= reach_px; ++dy) {
-        for (int dx = -reach_px; dx <= reach_px; ++dx) {
-          const bool is_inside =
-              x + dx >= 0 && y + dy >= 0 && x + dx < depth.width_px && y + dy < depth.height_px;
-          if (!is_inside) continue;
-          const double off = at(x + dx, y + dy) - here - dx * slope_x - dy * slope_y;
-          farthest = std::max(farthest, std::abs(off) / unit / slant);
-        }
-      }
-      even.set(x, y, farthest <= 1.0);
-    }
+CauseFinder::CauseFinder(Pipeline& pipeline, const Settings& settings, FindLines find_lines)
+    : pipeline_(pipeline), settings_(settings), find_lines_(std::move(find_lines)) {
+  if (!find_lines_) {
+    find_lines_ = [&pipeline](const LineRequest& request) {
+      return std::make_shared<const ReferenceLines>(pipeline.line_finder()->find(request));
+    };
   }
-  return even;
-}
-
-CauseFinder::CauseFinder(Pipeline& pipeline, const Settings& settings)
-    : pipeline_(pipeline), settings_(settings) {
   plan();
 }
 
-LineMap CauseFinder::lines_of(const Settings& settings) {
-  return line_map_from(pipeline_.at(settings).raw(BufferName::lines));
+std::shared_ptr<const ReferenceLines> CauseFinder::find(const std::function<LineRequest()>& make) {
+  if (!asked_) asked_ = make();
+  const std::shared_ptr<const ReferenceLines> lines = find_lines_(*asked_);
+  if (lines) asked_.reset();
+  return lines;
 }
 
 /// The drawing itself, and what its own buffers say.
-void CauseFinder::judge_drawing() {
+bool CauseFinder::judge_drawing() {
   const Frame frame = pipeline_.at(settings_);
+  const std::shared_ptr<const ReferenceLines> lines = find([&] { return frame.line_request(); });
+  if (!lines) return false;
   const EdgeDetector& detector = edge_detector(settings_);
-  const auto lines = frame.value<ReferencePass>();
   evidence_.drawn = line_map_from(frame.raw(BufferName::lines));
   const LineView view = line_view(evidence_.drawn, *lines, settings_.judge);
   evidence_.maps = match_maps(view, settings_.judge.tolerance);
@@ -109,45 +107,65 @@ void CauseFinder::judge_drawing() {
   evidence_.strength = frame.raw(BufferName::edge_strength);
   evidence_.tells_objects = detector.tells_objects(settings_);
   evidence_.tolerance_px = settings_.judge.tolerance;
-  if (detector.without_depth_term(settings_)) {
-    Settings precise = settings_;
-    precise.image.precision = Precision::float32;
-    evidence_.even =
-        even_pixels(pipeline_.at(precise).raw(BufferName::depth), settings_.camera, detector.reach_px());
-  }
+  is_judged_ = true;
+  return true;
+}
+
+/// Of the meshes as they are drawn, where the reference's creases are the full ones'.
+bool CauseFinder::find_slight_bends() {
+  const auto lines = find([&] {
+    Settings slight = settings_;
+    slight.judge.crease_angle = std::min(kSlightBendDegrees, settings_.judge.crease_angle);
+    LineRequest request = pipeline_.at(slight).line_request();
+    request.key = KeyBuilder().add("bends of what is drawn").add(request.key).key();
+    for (LineModel& model : request.models) {
+      model.full = model.drawn;
+      model.full_key = KeyBuilder().add(model.full_key).add(model.drawn_key).key();
+    }
+    return request;
+  });
+  if (lines) evidence_.slight_bends = class_map(*lines, LineClass::crease);
+  return lines != nullptr;
+}
+
+void CauseFinder::add(Lines map, const Settings& settings) {
+  steps_.push_back([this, map, settings] {
+    evidence_.*map = line_map_from(pipeline_.at(settings).raw(BufferName::lines));
+    return true;
+  });
+}
+
+void CauseFinder::plan_facets() {
+  const EdgeDetector& detector = edge_detector(settings_);
+  if (!detector.sees_facets(settings_)) return;
+  steps_.push_back([this] { return find_slight_bends(); });
+  const std::optional<Settings> unfaceted = without_flat_normals(settings_);
+  if (unfaceted && detector.has_normal_term(settings_)) add(&CauseEvidence::unfaceted, *unfaceted);
+  evidence_.reads_surface = detector.sees_facets(unfaceted.value_or(settings_));
 }
 
 void CauseFinder::plan() {
   const EdgeDetector& detector = edge_detector(settings_);
-  const auto add = [&](std::optional<LineMap> CauseEvidence::*map, const Settings& settings) {
-    steps_.push_back([this, map, settings] { evidence_.*map = lines_of(settings); });
-  };
-  if (settings_.image.precision != Precision::float32) {
-    Settings precise = settings_;
-    precise.image.precision = Precision::float32;
-    add(&CauseEvidence::float_buffers, precise);
-  }
-  if (detector.has_normal_term(settings_)) {
-    if (const auto smooth = with_smooth_normals(settings_)) add(&CauseEvidence::smooth_normals, *smooth);
-  }
-  if (detector.sees_facets(settings_)) {
-    steps_.push_back([this] {
-      const Frame slight = pipeline_.at(with_slight_creases(settings_));
-      evidence_.slight_bends = class_map(*slight.value<ReferencePass>(), LineClass::crease);
+  const Settings large = twice_as_large(settings_);
+  steps_.push_back([this] { return judge_drawing(); });
+  plan_facets();
+  if (settings_.image.precision != Precision::float32)
+    add(&CauseEvidence::float_buffers, with_float_buffers(settings_));
+  if (const auto smooth = with_smooth_normals(settings_); smooth && detector.has_normal_term(settings_))
+    add(&CauseEvidence::smooth_normals, *smooth);
+  if (const auto flat = detector.without_depth_term(settings_)) {
+    add(&CauseEvidence::no_depth_term, *flat);
+    steps_.push_back([this, reach_px = detector.reach_px()] {
+      const Frame precise = pipeline_.at(with_float_buffers(settings_));
+      evidence_.even = even_pixels(precise.raw(BufferName::depth), settings_.camera, reach_px);
+      return true;
     });
   }
-  if (const auto flat = detector.without_depth_term(settings_)) add(&CauseEvidence::no_depth_term, *flat);
-  add(&CauseEvidence::twice_as_large, twice_as_large(settings_));
-  // Last of all, so that what the pipeline holds in the end is the drawing.
-  steps_.push_back([this] { judge_drawing(); });
-  std::reverse(steps_.begin(), steps_.end());
+  add(&CauseEvidence::twice_as_large, large);
 }
 
 bool CauseFinder::step() {
-  if (steps_.empty()) return false;
-  const std::function<void()> next = std::move(steps_.back());
-  steps_.pop_back();
-  next();
+  if (!steps_.empty() && steps_.front()()) steps_.pop_front();
   return !steps_.empty();
 }
 
@@ -156,6 +174,27 @@ CauseMaps find_causes(Pipeline& pipeline, const Settings& settings) {
   while (finder.step()) {
   }
   return finder.causes();
+}
+
+std::optional<PixelCause> find_cause(Pipeline& pipeline, const Settings& settings, int x, int y) {
+  CauseFinder finder(pipeline, settings);
+  finder.step();
+  const double tolerance_px = settings.judge.tolerance;
+  const LineMap wrong = united(finder.maps()->wrong, finder.maps()->missed);
+  const std::vector<Pixel> pixel{{x, y}};
+  const int64_t distance = squared_distances(pixel, wrong).front();
+  if (distance == kInfinitelyFar || distance > squared_tolerance(tolerance_px)) return std::nullopt;
+  while (finder.step()) {
+  }
+  return cause_near(finder.causes(), x, y, tolerance_px);
+}
+
+Key causes_key(const Frame& frame) {
+  KeyBuilder builder;
+  builder.add("causes");
+  builder.add(judge_text(frame.settings().judge));
+  for (const Key& key : frame.pass_keys()) builder.add(key);
+  return builder.key();
 }
 
 }  // namespace inkbench

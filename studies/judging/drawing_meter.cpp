@@ -33,13 +33,6 @@ size_t drawn_faces(MeshStore& meshes, const Settings& settings) {
 
 namespace {
 
-/// Other sizes and normals follow from the settings themselves.
-std::string causes_key(const Frame& frame) {
-  std::string text = "causes";
-  for (const Key& key : frame.pass_keys()) text += key.text();
-  return text;
-}
-
 AntialiasingTally antialiasing_of(const Frame& frame) {
   return tally_antialiasing(frame.value<LineCoverage>()->read(0, 1),
                             frame.value<AliasedCoverage>()->read(0, 1),
@@ -79,7 +72,10 @@ DrawingTally DrawingMeter::tally(const Frame& frame, const Frame* before) {
   DrawingTally tally = tally_view({view, lines.get(), full ? &*full : nullptr}, settings.judge, needs_);
   if (needs_.faces) tally.faces = drawn_faces(pipeline_.meshes(), settings);
   if (needs_.antialiasing && places_lines(settings)) tally.antialiasing = antialiasing_of(frame);
-  if (needs_.causes) tally.causes = count_causes(find_causes(pipeline_, settings));
+  if (needs_.causes) {
+    last_causes_ = find_causes(pipeline_, settings);
+    tally.causes = count_causes(*last_causes_);
+  }
   if (needs_.path() && before != nullptr) tally.flicker = flicker_.tally(*before, frame);
   if (needs_.path() && before == nullptr) flicker_.start(frame);
   return tally;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 
 #include "pipeline/pipeline.h"
@@ -26,6 +27,9 @@ class DrawingMeter {
   /// Of all views together.
   DrawingTally tally(std::span<const Settings> views);
 
+  /// Of the view that was tallied last; none where the needs do not ask for causes.
+  const std::optional<CauseMaps>& last_causes() const { return last_causes_; }
+
   /// Of all that decides what `tally` gives for this view but its code.
   Key key(const Frame& frame, const Frame* before = nullptr);
 
@@ -36,6 +40,7 @@ class DrawingMeter {
   Pipeline& pipeline_;
   MeasureNeeds needs_;
   FlickerMeter flicker_;
+  std::optional<CauseMaps> last_causes_;
   std::map<Key, LineView> full_lines_;    ///< The full mesh's lines in each view; `drawn` is left empty.
   std::map<Key, LineMap> full_drawings_;  ///< And its drawings, for all k's that a sweep comes back to.
 };

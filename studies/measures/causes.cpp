@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "studies/measures/causes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,81 +10,6 @@
 
 namespace inkbench {
 namespace {
-
-constexpr std::array<CauseInfo, kCauses> kTable{{
-    {Cause::doubled,
-     "false_doubled",
-     "doubled",
-     "A second line beside one that is there already, or a line too thick to thin to one.",
-     "thin the lines on the nearer side: another method, or a lower sensitivity",
-     {230, 159, 0}},
-    {Cause::quantised,
-     "false_quantised",
-     "quantised",
-     "It is gone with float buffers.",
-     "image.precision = float",
-     {204, 121, 167}},
-    {Cause::seam,
-     "false_seam",
-     "seam",
-     "The normals jump on a smooth surface, where the file's vertices are split.",
-     "model.NAME.normals = smooth, or a method that reads the surface",
-     {0, 114, 178}},
-    {Cause::facet,
-     "false_facet",
-     "facet",
-     "It runs along mesh edges that bend less than a crease.",
-     "smooth normals, more triangles, or a larger angle",
-     {86, 180, 233}},
-    {Cause::grazing,
-     "false_grazing",
-     "grazing",
-     "The depth term sees a surface's slope: the neighbours lie in the pixel's plane.",
-     "edges.method = dihedral, or a test against the plane",
-     {213, 94, 0}},
-    {Cause::bend,
-     "false_bend",
-     "bend",
-     "A smooth bend looks sharp at this size and is gone at twice the size.",
-     "a larger image, or a less sensitive limit",
-     {0, 158, 115}},
-    {Cause::other_false,
-     "false_other",
-     "other",
-     "None of these.",
-     "`inkbench explain` says what the terms are",
-     {90, 90, 90}},
-    {Cause::displaced,
-     "missed_displaced",
-     "displaced",
-     "A line lies near, farther off than the tolerance.",
-     "place lines on the nearer side: another method",
-     {230, 159, 0}},
-    {Cause::same_id,
-     "missed_same_id",
-     "ids only",
-     "Two objects touch without a step or a bend, and the detector does not look at ids.",
-     "edges.method = dihedral or mitchell",
-     {204, 121, 167}},
-    {Cause::no_signal,
-     "missed_no_signal",
-     "no signal",
-     "The detector sees under 1 % of its limit there.",
-     "another method: no limit of this one draws it",
-     {90, 90, 90}},
-    {Cause::under_the_limit,
-     "missed_under_the_limit",
-     "under the limit",
-     "The detector sees something, though less than its limit.",
-     "a lower limit; `inkbench explain` says which",
-     {0, 114, 178}},
-    {Cause::other_missed,
-     "missed_other",
-     "other",
-     "Detected, yet not drawn there, or drawn and paired with another line.",
-     "thinner or unbroken lines",
-     {213, 94, 0}},
-}};
 
 /// Which pixels of `from` have one of `to` within a distance.
 LineMap near(const LineMap& from, const LineMap& to, double distance_px) {
@@ -98,23 +25,28 @@ LineMap near(const LineMap& from, const LineMap& to, double distance_px) {
   return result;
 }
 
-/// The pixels of a map of half the size that have one of `large` among the four they become, or beside those.
+/// Half the size: the pixels that have one of `large` among the four that they become.
 LineMap halved(const LineMap& large, int width_px, int height_px) {
   LineMap result(width_px, height_px);
   for_each_pixel(large, [&](int x, int y) {
-    result.set(std::min(x / 2, width_px - 1), std::min(y / 2, height_px - 1));
+    if (x / 2 < width_px && y / 2 < height_px) result.set(x / 2, y / 2);
   });
   return result;
 }
 
-/// Thinning may move a line by a pixel, and a corner's by two.
+/// Thinning may move a line by a pixel, also aslant.
 constexpr double kSamePlacePx = 1.5;
 
-/// The false pixels where another drawing has no line.
-LineMap gone(const LineMap& wrong, const LineMap& other) {
-  LineMap result = wrong;
-  const LineMap stays = near(wrong, other, kSamePlacePx);
-  for_each_pixel(wrong, [&](int x, int y) { result.set(x, y, !stays.at(x, y)); });
+/// The pixels that another drawing has no line at.
+LineMap gone(const LineMap& pixels, const LineMap& other) {
+  LineMap result = pixels;
+  for_each_pixel(near(pixels, other, kSamePlacePx), [&](int x, int y) { result.set(x, y, false); });
+  return result;
+}
+
+LineMap both(const LineMap& a, const LineMap& b) {
+  LineMap result(a.width_px(), a.height_px());
+  for_each_pixel(a, [&](int x, int y) { result.set(x, y, b.at(x, y)); });
   return result;
 }
 
@@ -137,77 +69,110 @@ class CauseSetter {
   LineMap left_;
 };
 
+/// Along mesh edges that bend: gone with smooth normals, or seen by the surface itself, whose bend at one
+/// edge is the same at any size.
+LineMap facets(const LineMap& pixels, const CauseEvidence& evidence, const std::optional<LineMap>& large) {
+  const LineMap along = near(pixels, *evidence.slight_bends, evidence.tolerance_px);
+  LineMap found(pixels.width_px(), pixels.height_px());
+  if (evidence.unfaceted) found = gone(along, *evidence.unfaceted);
+  if (evidence.reads_surface && large) found = united(found, near(along, *large, kSamePlacePx));
+  return found;
+}
+
 void find_false_causes(const CauseEvidence& evidence, CauseMap& causes) {
   CauseSetter setter(causes, evidence.maps.wrong);
-  setter.set(Cause::doubled, near(setter.left(), evidence.reference, 2 * evidence.tolerance_px));
-  const auto set_gone = [&](Cause cause, const std::optional<LineMap>& other) {
-    if (other) setter.set(cause, gone(setter.left(), *other));
+  std::optional<LineMap> large;
+  if (evidence.twice_as_large) large = halved(*evidence.twice_as_large, causes.width_px, causes.height_px);
+  const auto set_gone = [&](Cause cause, const std::optional<LineMap>& other,
+                            const LineMap* where = nullptr) {
+    if (!other) return;
+    const LineMap lost = gone(setter.left(), *other);
+    setter.set(cause, where == nullptr ? lost : both(lost, *where));
   };
+  setter.set(Cause::doubled, near(setter.left(), evidence.reference, 2 * evidence.tolerance_px));
   set_gone(Cause::quantised, evidence.float_buffers);
   set_gone(Cause::seam, evidence.smooth_normals);
-  if (evidence.slight_bends)
-    setter.set(Cause::facet, near(setter.left(), *evidence.slight_bends, kSamePlacePx));
-  if (evidence.no_depth_term && evidence.even) {
-    LineMap grazing = gone(setter.left(), *evidence.no_depth_term);
-    for_each_pixel(LineMap(grazing), [&](int x, int y) { grazing.set(x, y, evidence.even->at(x, y)); });
-    setter.set(Cause::grazing, grazing);
-  }
-  if (evidence.twice_as_large) {
-    const LineMap large = halved(*evidence.twice_as_large, causes.width_px, causes.height_px);
-    setter.set(Cause::bend, gone(setter.left(), large));
-  }
+  if (evidence.slight_bends) setter.set(Cause::facet, facets(setter.left(), evidence, large));
+  if (evidence.even) set_gone(Cause::grazing, evidence.no_depth_term, &*evidence.even);
+  set_gone(Cause::bend, large);
   setter.set(Cause::other_false, evidence.maps.wrong);
 }
 
-/// The pixels around which the strength is in [low, high), at its largest within the tolerance.
-LineMap with_strength(const LineMap& of, const Image& strength, double tolerance_px, double low,
-                      double high) {
+/// The largest within the tolerance: a line there would have been right.
+float strongest_near(const Image& strength, int x, int y, double tolerance_px) {
   const int reach = static_cast<int>(std::floor(tolerance_px));
-  LineMap result(of.width_px(), of.height_px());
-  for_each_pixel(of, [&](int x, int y) {
-    float most = 0;
-    for (int dy = -reach; dy <= reach; ++dy) {
-      for (int dx = -reach; dx <= reach; ++dx) {
-        if (of.contains(x + dx, y + dy) && dx * dx + dy * dy <= tolerance_px * tolerance_px)
-          most = std::max(most, strength.at(x + dx, y + dy));
-      }
+  float most = 0;
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const bool is_inside =
+          x + dx >= 0 && y + dy >= 0 && x + dx < strength.width_px && y + dy < strength.height_px;
+      if (is_inside && dx * dx + dy * dy <= tolerance_px * tolerance_px)
+        most = std::max(most, strength.at(x + dx, y + dy));
     }
-    result.set(x, y, most >= low && most < high);
-  });
-  return result;
+  }
+  return most;
 }
 
-void find_missed_causes(const CauseEvidence& evidence, CauseMap& causes) {
-  CauseSetter setter(causes, evidence.maps.missed);
+/// Of the limit: less is as good as nothing.
+constexpr float kSignal = 0.01F;
+
+/// What is missed for want of strength, and by how much.
+void find_weak(const CauseEvidence& evidence, CauseSetter& setter, Image& missing_factor) {
+  LineMap silent = setter.left(), weak(silent.width_px(), silent.height_px());
+  for_each_pixel(setter.left(), [&](int x, int y) {
+    const float most = strongest_near(*evidence.strength, x, y, evidence.tolerance_px);
+    silent.set(x, y, most < kSignal);
+    weak.set(x, y, most >= kSignal && most < 1.0F);
+    if (weak.at(x, y)) missing_factor.at(x, y) = 1.0F / most;
+  });
+  if (!evidence.tells_objects) setter.set(Cause::same_id, near(silent, evidence.objects, 1.0));
+  setter.set(Cause::no_signal, silent);
+  setter.set(Cause::under_the_limit, weak);
+}
+
+void find_missed_causes(const CauseEvidence& evidence, CauseMaps& maps) {
+  CauseSetter setter(maps.of_missed, evidence.maps.missed);
   setter.set(Cause::displaced, near(setter.left(), evidence.drawn, 2 * evidence.tolerance_px));
-  const auto strength_in = [&](double low, double high) {
-    return with_strength(setter.left(), *evidence.strength, evidence.tolerance_px, low, high);
-  };
-  constexpr double kSignal = 0.01;
-  if (evidence.strength) {
-    if (!evidence.tells_objects) {
-      LineMap unseen = strength_in(0.0, kSignal);
-      const LineMap at_objects = near(unseen, evidence.objects, 1.0);
-      setter.set(Cause::same_id, at_objects);
-    }
-    setter.set(Cause::no_signal, strength_in(0.0, kSignal));
-    setter.set(Cause::under_the_limit, strength_in(kSignal, 1.0));
-  }
+  if (evidence.strength) find_weak(evidence, setter, maps.missing_factor);
   setter.set(Cause::other_missed, evidence.maps.missed);
 }
 
 }  // namespace
 
-std::span<const CauseInfo, kCauses> cause_table() {
-  return kTable;
-}
-
 CauseMaps find_causes(const CauseEvidence& evidence) {
   const int width_px = evidence.maps.wrong.width_px(), height_px = evidence.maps.wrong.height_px();
-  CauseMaps causes{CauseMap(width_px, height_px, 1), CauseMap(width_px, height_px, 1)};
+  CauseMaps causes{CauseMap(width_px, height_px, 1), CauseMap(width_px, height_px, 1),
+                   Image(width_px, height_px, 1)};
   find_false_causes(evidence, causes.of_false);
-  find_missed_causes(evidence, causes.of_missed);
+  find_missed_causes(evidence, causes);
   return causes;
+}
+
+std::optional<PixelCause> cause_near(const CauseMaps& causes, int x, int y, double reach_px) {
+  const int reach = static_cast<int>(std::floor(reach_px));
+  std::optional<PixelCause> nearest;
+  double least = reach_px * reach_px;
+  for (int other_y = std::max(y - reach, 0); other_y <= std::min(y + reach, causes.of_false.height_px - 1);
+       ++other_y) {
+    for (int other_x = std::max(x - reach, 0); other_x <= std::min(x + reach, causes.of_false.width_px - 1);
+         ++other_x) {
+      const double distance = (other_x - x) * (other_x - x) + (other_y - y) * (other_y - y);
+      const Cause cause = causes.at(other_x, other_y);
+      if (cause == Cause::none || distance > least || (nearest && distance == least)) continue;
+      least = distance;
+      const float factor = info_of(cause).is_of_missed() ? causes.missing_factor.at(other_x, other_y) : 0.0F;
+      nearest = PixelCause{cause, other_x, other_y, factor};
+    }
+  }
+  return nearest;
+}
+
+std::string cause_text(const PixelCause& found) {
+  const CauseInfo& info = info_of(found.cause);
+  std::string text =
+      fmt::format("{} line, {}: {}", info.is_of_missed() ? "Missed" : "False", info.name, info.help);
+  if (found.missing_factor > 0) text += fmt::format(" It lacks a factor of {:.3g}.", found.missing_factor);
+  return text + fmt::format(" What would mend it: {}.", info.remedy);
 }
 
 void CauseCounts::add(const CauseCounts& other) {

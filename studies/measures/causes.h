@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "pipeline/image/image.h"
@@ -58,12 +59,14 @@ struct CauseEvidence {
   LineMap drawn;                          ///< The drawn lines.
   LineMap objects;                        ///< Reference lines where two objects meet.
   std::optional<LineMap> float_buffers;   ///< Drawn with float buffers.
-  std::optional<LineMap> smooth_normals;  ///< Drawn with one normal a vertex.
-  std::optional<LineMap> slight_bends;    ///< Mesh edges that bend, though less than a crease.
+  std::optional<LineMap> smooth_normals;  ///< Drawn with one normal a vertex, but for flat faces.
+  std::optional<LineMap> slight_bends;    ///< The drawn meshes' edges that bend, creases or not.
+  std::optional<LineMap> unfaceted;       ///< Drawn with smooth normals where they are flat.
   std::optional<LineMap> no_depth_term;   ///< Drawn without the detector's depth term.
   std::optional<LineMap> even;            ///< Pixels whose neighbours lie in their plane.
   std::optional<LineMap> twice_as_large;  ///< Drawn at 2W x 2H.
   std::optional<Image> strength;          ///< H x W x 1, 1 at the limit.
+  bool reads_surface = false;             ///< The detector sees bends whatever the normals say.
   bool tells_objects = false;             ///< The detector knows ids.
   double tolerance_px = kTolerancePx;
 };
@@ -72,6 +75,7 @@ struct CauseEvidence {
 using CauseMap = ImageOf<uint8_t>;
 struct CauseMaps {
   CauseMap of_false, of_missed;
+  Image missing_factor;  ///< H x W x 1: under the limit, how many times too weak; else 0.
 
   /// The false pixel's, where there is one.
   Cause at(int x, int y) const {
@@ -80,6 +84,19 @@ struct CauseMaps {
   }
 };
 CauseMaps find_causes(const CauseEvidence& evidence);
+
+/// A pixel with a cause.
+struct PixelCause {
+  Cause cause = Cause::none;
+  int x = 0, y = 0;
+  double missing_factor = 0;  ///< As in CauseMaps.
+};
+/// The nearest pixel with a cause, which lines drawn thick need: only their middle has one. Among equally
+/// near ones the first from the top left.
+std::optional<PixelCause> cause_near(const CauseMaps& causes, int x, int y, double reach_px);
+
+/// "False line, grazing: The depth term ... What would mend it: edges.method = dihedral."
+std::string cause_text(const PixelCause& found);
 
 /// Pools by addition.
 struct CauseCounts {

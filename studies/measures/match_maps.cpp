@@ -36,12 +36,10 @@ MatchMaps match_maps(const LineView& view, double tolerance_px) {
   maps.matched = paired(drawn, required.partner_of_a, true);
   maps.missed = paired(wanted, required.partner_of_b, false);
   const LineMap both = united(wanted, counted_lines(view.allowed));
-  const LineMap unpaired = paired(drawn, matched(drawn, both, tolerance_px).partner_of_a, false);
-  maps.wrong = LineMap(drawn.width_px(), drawn.height_px());
-  maps.allowed = maps.wrong;
-  for_each_pixel(drawn, [&](int x, int y) {
-    if (!maps.matched.at(x, y)) (unpaired.at(x, y) ? maps.wrong : maps.allowed).set(x, y);
-  });
+  maps.wrong = paired(drawn, matched_from(required, wanted, drawn, both, tolerance_px).partner_of_a, false);
+  maps.allowed = drawn;
+  for (const LineMap* other : {&maps.matched, &maps.wrong})
+    for_each_pixel(*other, [&](int x, int y) { maps.allowed.set(x, y, false); });
   return maps;
 }
 

@@ -12,7 +12,7 @@ namespace inkbench {
 struct MatchMaps {
   LineMap matched;  ///< Drawn pixels that pair with tier 1.
   LineMap allowed;  ///< Drawn pixels that pair with tier 2 only: neither right nor wrong.
-  LineMap wrong;    ///< Drawn pixels that pair with neither. Up to ties, the ones that precision counts.
+  LineMap wrong;    ///< Drawn pixels that pair with neither: as many as precision counts.
   LineMap missed;   ///< Tier 1 pixels that pair with no drawn one.
 };
 

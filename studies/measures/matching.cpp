@@ -67,15 +67,20 @@ struct Side {
 
 /// Pairs each pixel of `from`, row by row, with the first free one of `to` in its disc. Along a line this is
 /// the rule that is best for intervals (Glover 1967: who comes first takes what ends first), so few pixels
-/// are left over that need not be: fewer than when nearest is paired with nearest. Returns the pixels that
-/// are still free, without those that have nothing in reach at all.
+/// are left over that need not be: fewer than when nearest is paired with nearest. Pairs that are there stay.
+/// Returns the pixels that are still free, without those that have nothing in reach at all.
 class Greedy {
  public:
-  Greedy(Side& from, Side& to, const Disc& disc) : from_(from), to_(to), disc_(disc), free_(*to.map) {}
+  Greedy(Side& from, Side& to, const Disc& disc) : from_(from), to_(to), disc_(disc), free_(*to.map) {
+    for (int32_t j = 0; j < to.index.size(); ++j) {
+      if (to.partner[j] != kFree) free_.set(to.index.pixel(j).x, to.index.pixel(j).y, false);
+    }
+  }
 
   std::vector<int32_t> pair() {
     std::vector<int32_t> left;
     for (int32_t i = 0; i < from_.index.size(); ++i) {
+      if (from_.partner[i] != kFree) continue;
       if (!pair_first(i) && has_any(from_.index.pixel(i))) left.push_back(i);
     }
     return left;
@@ -222,9 +227,10 @@ double diagonal_tolerance_px(int width_px, int height_px) {
   return 0.0075 * std::hypot(width_px, height_px);
 }
 
-Matching matched(const LineMap& a, const LineMap& b, double tolerance_px) {
-  assert(a.same_size(b));
-  Side side_a(a), side_b(b);
+namespace {
+
+/// Completes the pairs that both sides have.
+Matching completed(Side& side_a, Side& side_b, double tolerance_px) {
   const Disc disc(squared_tolerance(tolerance_px));
   // From the smaller side, which has fewer pixels to search from.
   const bool swap = side_a.index.size() > side_b.index.size();
@@ -236,6 +242,29 @@ Matching matched(const LineMap& a, const LineMap& b, double tolerance_px) {
   result.partner_of_a = std::move(side_a.partner);
   result.partner_of_b = std::move(side_b.partner);
   return result;
+}
+
+}  // namespace
+
+Matching matched(const LineMap& a, const LineMap& b, double tolerance_px) {
+  assert(a.same_size(b));
+  Side side_a(a), side_b(b);
+  return completed(side_a, side_b, tolerance_px);
+}
+
+Matching matched_from(const Matching& first, const LineMap& part, const LineMap& a, const LineMap& b,
+                      double tolerance_px) {
+  assert(a.same_size(b) && a.same_size(part));
+  Side side_a(a), side_b(b);
+  const PixelIndex index_of_part(part);
+  for (int32_t i = 0; i < side_a.index.size(); ++i) {
+    if (first.partner_of_a[i] == kFree) continue;
+    const Pixel partner = index_of_part.pixel(first.partner_of_a[i]);
+    const int32_t j = side_b.number(partner.x, partner.y);
+    side_a.partner[i] = j;
+    side_b.partner[j] = i;
+  }
+  return completed(side_a, side_b, tolerance_px);
 }
 
 int64_t matched_count(const LineMap& a, const LineMap& b, double tolerance_px) {

@@ -30,6 +30,11 @@ struct Matching {
 /// lead to it.
 Matching matched(const LineMap& a, const LineMap& b, double tolerance_px);
 
+/// The same, so that every pixel of a that `first` pairs has a partner, too: `first` is a matching of a with
+/// `part`, whose pixels are pixels of b. Augmenting paths uncover none.
+Matching matched_from(const Matching& first, const LineMap& part, const LineMap& a, const LineMap& b,
+                      double tolerance_px);
+
 /// The number of pairs alone.
 int64_t matched_count(const LineMap& a, const LineMap& b, double tolerance_px);
 

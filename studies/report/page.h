@@ -44,6 +44,14 @@ struct PageCell {
   std::vector<std::string> thumbnails;  ///< As `thumbnail` makes them, for the first pictures or all.
   std::vector<std::string> overlays;    ///< For each view the path of an SVG file or ""; may be empty.
   std::vector<std::string> row;         ///< A field for each column; empty where the table has no such row.
+  std::vector<std::string> causes;      ///< As overlays, of PNG files that show why lines are wrong.
+};
+
+/// A cause of false or missed lines, for the legend.
+struct PageCause {
+  std::string name;
+  std::string colour;  ///< "#rrggbb"
+  std::string help;
 };
 
 struct StudyPage {
@@ -60,6 +68,7 @@ struct StudyPage {
   std::vector<PageCell> cells;  ///< All of them, or as many as the page shows: the first ones.
   size_t cell_count = 0;        ///< Of the study.
   std::vector<std::pair<std::string, std::string>> overlay_classes;  ///< Name and "#rrggbb", for the legend.
+  std::vector<PageCause> causes;                                     ///< Empty where no cell has any.
   std::vector<PageChart> charts;
   std::vector<PageColumn> columns;
   std::string data_path = "data.csv";

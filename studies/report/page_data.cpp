@@ -112,6 +112,7 @@ std::string cell_json(const PageCell& cell, const std::vector<FilePattern>& patt
   if (!cell.pictures.empty()) json += ",\"files\":" + files_json(cell, patterns);
   if (!cell.thumbnails.empty()) json += ",\"thumbs\":" + json_texts(cell.thumbnails);
   if (!cell.overlays.empty()) json += ",\"overlays\":" + overlays.indices_json(cell.overlays);
+  if (!cell.causes.empty()) json += ",\"causes\":" + overlays.indices_json(cell.causes);
   if (!cell.row.empty()) json += ",\"row\":" + json_texts(cell.row);
   return json + "}";
 }
@@ -146,6 +147,9 @@ std::string page_data(const StudyPage& page) {
   json += ",\"overlays\":" + overlays.json();
   json += ",\"legend\":" + json_list(page.overlay_classes, [](const auto& entry) {
             return json_texts({entry.first, entry.second});
+          });
+  json += ",\"causes\":" + json_list(page.causes, [](const PageCause& cause) {
+            return json_texts({cause.name, cause.colour, cause.help});
           });
   return json + "}";
 }

@@ -25,6 +25,14 @@ bool finds_lines(const StudySpec& spec) {
   return shows_lines(spec) || needs_of(spec).reference_lines();
 }
 
+bool finds_causes(const StudySpec& spec) {
+  return needs_of(spec).causes;
+}
+
+size_t overlay_count(const StudySpec& spec) {
+  return view_count(spec) * ((finds_lines(spec) ? 1 : 0) + (finds_causes(spec) ? 1 : 0));
+}
+
 CellKeys cell_keys(Pipeline& pipeline, const StudySpec& spec, const Cell& cell, const ResultOrigin& origin) {
   DrawingMeter meter(pipeline, needs_of(spec));
   ViewFrames frames(pipeline, spec);

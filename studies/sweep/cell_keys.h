@@ -17,6 +17,12 @@ struct CellKeys {
 /// Whether the study's cells have reference lines: measured against them, or shown.
 bool finds_lines(const StudySpec& spec);
 
+/// Whether they have causes of false and missed lines: a measure asks for them.
+bool finds_causes(const StudySpec& spec);
+/// Files that lie over the pictures of a cell: of each view the reference lines, then of each view the
+/// causes.
+size_t overlay_count(const StudySpec& spec);
+
 /// Errors (input): a mesh or ramp cannot be read.
 CellKeys cell_keys(Pipeline& pipeline, const StudySpec& spec, const Cell& cell, const ResultOrigin& origin);
 

@@ -15,8 +15,10 @@ std::vector<std::string> known_measures() {
 
 std::vector<std::string> every_measure(bool along_path) {
   std::vector<std::string> names = known_measures();
-  if (!along_path)
-    std::erase_if(names, [](const std::string& name) { return find_measure(name)->of_path(); });
+  std::erase_if(names, [&](const std::string& name) {
+    const Measure& measure = *find_measure(name);
+    return measure.needs == Need::causes || (!along_path && measure.of_path());
+  });
   return names;
 }
 

@@ -14,7 +14,8 @@ struct StudySpec;
 /// What `measure` in a spec may name: all measures but those of every study.
 std::vector<std::string> known_measures();
 
-/// What `measure = true` stands for: of these, those that compare frames only along a camera path.
+/// What `measure = true` stands for: of these, those that compare frames only along a camera path, and no
+/// causes, which draw each cell again a few times.
 std::vector<std::string> every_measure(bool along_path);
 
 /// `ink` and `ink_px`, which every study has, then the spec's measures.

@@ -20,6 +20,7 @@
 #include "pipeline/export.h"
 #include "pipeline/lines/drawing.h"
 #include "pipeline/passes/lines/reference.h"
+#include "studies/judging/cause_finder.h"
 #include "studies/judging/drawing_meter.h"
 #include "studies/sweep/cell_keys.h"
 #include "studies/sweep/cell_tiles.h"
@@ -196,10 +197,12 @@ class StudyRun {
     if (!drawn.is_kept) drawn.files = frame.used_files();
     const DrawingTally tally = meter_.tally(frame, at.past());
     const std::string overlay = finds_lines(spec_) ? write_overlay(frame) : "";
+    const std::string causes = finds_causes(spec_) ? write_causes(frame) : "";
     const std::lock_guard lock(mutex_);
     OpenCell& open = open_[place.cell];
-    open.overlays.resize(finds_lines(spec_) ? view_count(spec_) : 0);
+    open.overlays.resize(overlay_count(spec_));
     if (!overlay.empty()) open.overlays[place.view] = overlay;
+    if (!causes.empty()) open.overlays[overlay_count(spec_) - view_count(spec_) + place.view] = causes;
     open.tally.add(tally);
     return drawn;
   }
@@ -209,6 +212,15 @@ class StudyRun {
     const std::string name = "reference/" + frame.key(BufferName::reference).text().substr(0, 16) + ".svg";
     if (overlays_.contains(name)) return name;
     write_file_atomically(folder_.path() / name, reference_svg(*frame.value<ReferencePass>()), Sync::later);
+    overlays_.insert(name);
+    return name;
+  }
+
+  /// Of the view that was tallied last.
+  std::string write_causes(const Frame& frame) {
+    const std::string name = "causes/" + causes_key(frame).text().substr(0, 16) + ".png";
+    if (overlays_.contains(name)) return name;
+    write_png(folder_.path() / name, cause_overlay(*meter_.last_causes()), {}, Sync::later);
     overlays_.insert(name);
     return name;
   }

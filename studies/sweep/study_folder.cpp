@@ -59,10 +59,17 @@ bool is_overlay_name(const std::string& name) {
   return stem && is_hex(*stem, 16);
 }
 
+/// "0123456789abcdef.png".
+bool is_cause_name(const std::string& name) {
+  const auto stem = without_ending(name, ".png");
+  return stem && is_hex(*stem, 16);
+}
+
 /// As a record names it, relative to the study's folder.
 bool is_overlay_file(const std::string& name) {
-  constexpr std::string_view kFolder = "reference/";
-  return name.starts_with(kFolder) && is_overlay_name(name.substr(kFolder.size()));
+  constexpr std::string_view kLines = "reference/", kCauses = "causes/";
+  return (name.starts_with(kLines) && is_overlay_name(name.substr(kLines.size()))) ||
+         (name.starts_with(kCauses) && is_cause_name(name.substr(kCauses.size())));
 }
 
 /// Why keys differ between two runs, in words: by what their parts say.
@@ -119,6 +126,7 @@ StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Cel
     if (fs::is_symlink(fs::symlink_status(folder_ / later, error))) make_inner_folder(folder_ / later);
   }
   if (finds_lines(spec_)) make_inner_folder(folder_ / "reference");
+  if (finds_causes(spec_)) make_inner_folder(folder_ / "causes");
   if (!fresh) take_journal(read_journal(folder_ / kJournal));
   remove_stale_files();
   rewrite();
@@ -155,12 +163,12 @@ std::string StudyFolder::picture_problem(const CellRecord& record) const {
 std::string StudyFolder::number_problem(const CellRecord& record) const {
   if (record.numbers_key != keys_[record.index].numbers.text() || record.numbers.size() != numbers_.size())
     return measuring_reason(record.origin, origin_);
-  const bool named = record.overlays.size() == (finds_lines(spec_) ? view_count(spec_) : 0) &&
+  const bool named = record.overlays.size() == overlay_count(spec_) &&
                      std::all_of(record.overlays.begin(), record.overlays.end(),
                                  [](const FileRecord& file) { return is_overlay_file(file.name); });
   return named && files_intact(folder_, record.overlays)
              ? ""
-             : "their reference lines are missing or were changed";
+             : "their reference lines or causes are missing or were changed";
 }
 
 std::vector<std::string> StudyFolder::notes() const {
@@ -215,8 +223,13 @@ std::vector<std::string> StudyFolder::picture_files(size_t index) const {
 
 std::string StudyFolder::overlay_file(size_t index, size_t view) const {
   const std::lock_guard lock(mutex_);
-  const std::vector<FileRecord>& overlays = done_.at(index).overlays;
-  return overlays.empty() ? "" : overlays.at(view).name;
+  return finds_lines(spec_) ? done_.at(index).overlays.at(view).name : "";
+}
+
+std::string StudyFolder::cause_file(size_t index, size_t view) const {
+  const std::lock_guard lock(mutex_);
+  const size_t before = finds_lines(spec_) ? view_count(spec_) : 0;
+  return finds_causes(spec_) ? done_.at(index).overlays.at(before + view).name : "";
 }
 
 std::vector<std::string> StudyFolder::columns() const {
@@ -278,6 +291,7 @@ void StudyFolder::remove_stale_files() const {
   std::error_code error;
   if (fs::is_directory(folder_ / "reference", error))
     remove_unused(folder_ / "reference", used, is_overlay_name);
+  if (fs::is_directory(folder_ / "causes", error)) remove_unused(folder_ / "causes", used, is_cause_name);
 }
 
 void StudyFolder::rewrite() const {

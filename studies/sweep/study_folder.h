@@ -62,6 +62,8 @@ class StudyFolder {
   /// The reference lines of a finished cell's view, relative to the folder: "reference/KEY.svg", which cells
   /// share where they are the same. "" where none were looked for.
   std::string overlay_file(size_t index, size_t view) const;
+  /// The same of the picture of its causes, "causes/KEY.png".
+  std::string cause_file(size_t index, size_t view) const;
 
   /// The columns of data.csv, and a finished or failed cell's fields; empty for any other.
   std::vector<std::string> columns() const;

@@ -54,6 +54,8 @@ PageCell page_cell(const StudySpec& spec, const StudyFolder& folder, size_t inde
     cell.pictures = folder.picture_files(index);
     for (size_t view = 0; finds_lines(spec) && view < view_count(spec); ++view)
       cell.overlays.push_back(folder.overlay_file(index, view));
+    for (size_t view = 0; finds_causes(spec) && view < view_count(spec); ++view)
+      cell.causes.push_back(folder.cause_file(index, view));
   } else if (!cell.row.empty()) {
     cell.error = cell.row.back();
   }
@@ -86,6 +88,17 @@ std::vector<PageChart> page_charts(const std::vector<DrawnChart>& charts) {
   return shown;
 }
 
+std::vector<PageCause> page_causes() {
+  std::vector<PageCause> causes;
+  for (const CauseInfo& info : cause_table()) {
+    const auto [r, g, b] = info.colour;
+    causes.push_back({(info.is_of_missed() ? "missed: " : "false: ") + std::string(info.name),
+                      fmt::format("#{:02x}{:02x}{:02x}", r, g, b),
+                      fmt::format("{} Would mend it: {}.", info.help, info.remedy)});
+  }
+  return causes;
+}
+
 StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const StudyOrigin& origin,
                     const std::vector<DrawnChart>& charts) {
   StudyPage page;
@@ -105,6 +118,7 @@ StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const Stud
     const auto [r, g, b] = colour_of(line_class);
     page.overlay_classes.emplace_back(name_of(line_class), fmt::format("#{:02x}{:02x}{:02x}", r, g, b));
   }
+  if (finds_causes(spec)) page.causes = page_causes();
   page.charts = page_charts(charts);
   page.command = origin.command;
   page.versions = origin.versions;

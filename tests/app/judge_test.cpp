@@ -137,12 +137,39 @@ TEST_F(AppJudge, lines_over_the_pictures_by_key_change_no_picture) {
   open();
   const Json before = settled();
   EXPECT_EQ(before["layout"]["overlay"], "\"none\"");
-  for (const char* overlay : {"\"reference\"", "\"matches\"", "\"none\""}) {
+  for (const char* overlay : {"\"reference\"", "\"matches\"", "\"causes\"", "\"none\""}) {
     keys("l");
     wait_for("the overlay", [&](const Json& now) { return now["layout"]["overlay"] == overlay; });
     EXPECT_EQ(settled()["pictures"], before["pictures"]);
     EXPECT_EQ(settled()["ui"]["tile:final"], before["ui"]["tile:final"]);
   }
+  EXPECT_TRUE(state()["problems"].empty());
+}
+
+TEST_F(AppJudge, causes_of_the_windows_lines_are_those_that_are_measured_and_its_passes_stay) {
+  open();
+  click("tab:Judge");
+  click("overlay:3");
+  const Json first =
+      wait_for("causes", [](const Json& now) { return !now["causes"].is_null() && !now["why"].is_object(); });
+  CommandOptions options;
+  options.environment = environment_;
+  const CommandResult result = run_command(
+      {inkbench_program(), "measure", "--scene", file("scene.toml").string(), "--causes", "--json"}, options);
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json measured = Json::parse(result.out);
+  int64_t wrong = 0;
+  for (const auto& [key, count] : first["causes"].items()) {
+    EXPECT_EQ(count, measured[key]) << key;
+    wrong += count.get<int64_t>();
+  }
+  EXPECT_GT(wrong, 0);
+  const Json later = settled();
+  EXPECT_EQ(later["passes"]["gbuffer"]["runs"], first["passes"]["gbuffer"]["runs"])
+      << "the causes are drawn by passes of their own";
+  set_number("combine.k_normal", "0.4");
+  wait_for("other causes",
+           [&](const Json& now) { return !now["causes"].is_null() && now["causes"] != first["causes"]; });
   EXPECT_TRUE(state()["problems"].empty());
 }
 

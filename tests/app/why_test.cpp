@@ -39,6 +39,27 @@ TEST_F(AppWhy, click_marks_a_pixel_and_its_sum_is_what_the_gpu_drew) {
   EXPECT_TRUE(line);
 }
 
+TEST_F(AppWhy, a_click_sets_the_value_that_would_draw_the_pixel_and_undo_takes_it_back) {
+  open();
+  Json before = mark(0.5, 0.5);
+  const std::string button = "change:combine.k_normal";
+  const auto is_offered = [&] { return before["ui"].contains(button) && before["why"]["inked"] == false; };
+  for (int i = 0; i < 20 && !is_offered(); ++i) {
+    keys("Left");
+    before = settled();
+  }
+  ASSERT_TRUE(is_offered());
+  click(button);
+  const Json drawn = wait_for("a line", [](const Json& now) { return now["why"]["inked"] == true; });
+  EXPECT_GT(drawn["why"]["drawn"].get<double>(), 0);
+  EXPECT_EQ(drawn["steps"].size(), 1U);
+  EXPECT_LT(std::stod(parameter(drawn, "combine.k_normal")),
+            std::stod(parameter(before, "combine.k_normal")));
+  keys("ctrl+z");
+  wait_for("none again", [](const Json& now) { return now["why"]["inked"] == false; });
+  EXPECT_EQ(parameter(settled(), "combine.k_normal"), parameter(before, "combine.k_normal"));
+}
+
 TEST_F(AppWhy, arrow_keys_move_the_mark_and_escape_forgets_it) {
   open();
   const Json marked = mark(0.5, 0.5)["view"]["marked"];

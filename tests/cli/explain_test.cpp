@@ -58,6 +58,31 @@ TEST_F(Explain, follows_what_is_set) {
   EXPECT_FALSE(explained(3, 4, {"--set", "combine.use_depth=false"})["terms"][0]["used"].get<bool>());
 }
 
+/// A ball in the middle of 48 x 40 px.
+constexpr const char* kBall =
+    "[image]\nwidth = 48\nheight = 40\n[[model]]\nname = \"ball\"\nshape = \"sphere\"\nsegments = 24\n"
+    "size = 2.5\n[[light]]\nname = \"sun\"\n";
+
+TEST_F(Explain, says_what_would_draw_the_pixel_and_setting_it_does) {
+  scene_ = write("ball.toml", kBall).string();
+  const nlohmann::json why = explained(20, 20);
+  ASSERT_EQ(why["changes"].size(), 3U) << why;
+  for (const nlohmann::json& change : why["changes"]) {
+    const std::string assignment = change["parameter"].get<std::string>() + "=" + change["value"].dump();
+    EXPECT_LT(assignment.size(), 30U) << "few digits";
+    EXPECT_TRUE(explained(20, 20, {"--set", assignment})["line"].get<bool>()) << assignment;
+  }
+}
+
+TEST_F(Explain, says_why_a_pixel_is_false_and_nothing_of_one_that_is_right) {
+  scene_ = write("ball.toml", kBall).string();
+  const nlohmann::json wrong = explained(22, 20, {"--set", "combine.k_normal=0.001"})["judged"];
+  ASSERT_TRUE(wrong.is_object());
+  EXPECT_EQ(wrong["is"], "false");
+  EXPECT_FALSE(wrong["remedy"].get<std::string>().empty());
+  EXPECT_TRUE(explained(22, 20)["judged"].is_null());
+}
+
 TEST_F(Explain, refuses_what_is_no_pixel) {
   EXPECT_TRUE(
       is_input_error(inkbench({"explain", "--scene", scene_, "--pixel", "12"}), {"--pixel 12", "X,Y"}));

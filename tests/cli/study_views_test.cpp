@@ -101,6 +101,22 @@ TEST_F(StudyViews, reference_lines_that_are_damaged_or_missing_are_found_again_w
   EXPECT_EQ(finish(expected), 0);
 }
 
+TEST_F(StudyViews,
+       causes_lie_beside_the_cells_where_a_measure_asks_for_them_and_damaged_ones_are_found_again) {
+  write_spec("s", "size = [48, 36]\nshow = [\"final\"]\nmeasure = [\"false_bend\"]\n" + thresholds(2) +
+                      std::string(kFront) + kSide);
+  const FolderContent expected = unbroken();
+  fs::copy(file("unbroken"), file("out"), fs::copy_options::recursive);
+  std::vector<fs::path> causes;
+  for (const fs::directory_entry& entry : fs::directory_iterator(file("out/causes")))
+    causes.push_back(entry.path());
+  ASSERT_EQ(causes.size(), 4U) << "two thresholds in two views";
+  EXPECT_FALSE(fs::exists(file("out/reference")));
+  std::ofstream(causes.front()) << "no picture";
+  EXPECT_EQ(finish(expected, "cells_measured"), 1);
+  EXPECT_EQ(finish(expected, "cells_measured"), 0);
+}
+
 TEST_F(StudyViews, changed_views_leave_nothing_of_the_old_ones) {
   ASSERT_TRUE(succeeds(study("s", "out")));
   write_views(std::string(kFront) + "[[view]]\nname = \"side\"\n[view.set]\ncamera.eye = [5, 3, 6]\n");

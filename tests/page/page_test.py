@@ -311,6 +311,19 @@ class PageTest(unittest.TestCase):
         self.press("r")
         self.wait(lambda: self.stage_picture() == plain)
 
+    def test_causes_lie_over_the_pictures_with_a_legend(self):
+        self.open("full", "#cell=1")
+        self.wait_for_cell(1)
+        self.wait(lambda: self.js("return [...document.querySelectorAll('.causes img')].every((i) => i.complete)"))
+        plain = self.stage_picture()
+        self.press("c")
+        self.wait(lambda: self.stage_picture() != plain)
+        self.assertIn("false: grazing", self.find("#viewer-side").text)
+        self.assertIn("causes=1", self.browser.current_url)
+        self.keep("viewer_causes")
+        self.press("c")
+        self.wait(lambda: self.stage_picture() == plain)
+
     def test_zoom_and_pan_are_shared(self):
         self.open("small", "#cell=1")
         self.wait_for_cell(1)

@@ -64,6 +64,7 @@ PageCell picture_cell(const fs::path& folder, size_t index) {
     cell.thumbnails.push_back(thumbnail(picture, plan_thumbnails(24, 4, 1'000'000)));
   }
   cell.overlays = {fmt::format("reference/{:016x}.svg", index % 3), ""};
+  cell.causes = {fmt::format("causes/{:016x}.png", 0), ""};
   return cell;
 }
 
@@ -114,6 +115,10 @@ StudyPage full_page(const fs::path& folder) {
   page.overlay_classes = {{"silhouette", "#000000"}, {"crease", "#0072b2"}};
   for (int i = 0; i < 3; ++i)
     write_file_atomically(folder / fmt::format("reference/{:016x}.svg", i), overlay_svg(30 + 10 * i));
+  page.causes = {{"false: grazing", "#d55e00", "The depth term sees a slope."}};
+  Picture dots(kWidthPx, kHeightPx, 4);
+  for (int c = 0; c < 4; ++c) dots.at(40, 30, c) = 255;
+  write_png(folder / fmt::format("causes/{:016x}.png", 0), dots, {});
   for (size_t i = 0; i < page.cell_count; ++i) {
     PageCell cell = i == 6 || i == 7 ? PageCell{} : picture_cell(folder, i);
     if (i == 6) cell.error = kHostile;

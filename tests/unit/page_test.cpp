@@ -145,6 +145,17 @@ TEST(Page, overlays_that_cells_share_stand_there_once) {
   EXPECT_EQ(data.at("cells").at(2).at("overlays"), json::array({1}));
 }
 
+TEST(Page, causes_lie_over_cells_beside_the_reference_lines_with_a_legend_that_says_what_they_are) {
+  StudyPage page = page_of({cell("1"), cell("2")});
+  page.causes = {{"false: grazing", "#d55e00", "A <b> slope"}};
+  page.cells[1].causes = {"causes/c.png"};
+  const json data = data_of(page_html(page));
+  EXPECT_EQ(data.at("causes"), json::array({{"false: grazing", "#d55e00", "A <b> slope"}}));
+  EXPECT_FALSE(data.at("cells").at(0).contains("causes"));
+  const int index = data.at("cells").at(1).at("causes").at(0);
+  EXPECT_EQ(data.at("overlays").at(index), "causes/c.png");
+}
+
 TEST(Page, failed_cells_are_named_up_to_twenty) {
   std::vector<PageCell> cells(25);
   for (size_t i = 0; i < 23; ++i) cells[i + 2].error = "lost the mesh";

@@ -37,6 +37,8 @@ void ViewMenu::draw() {
     layout_.overlay = Overlay::reference;
   if (menu_item(ui_map_, "Right and wrong lines", "L", layout_.overlay == Overlay::matches))
     layout_.overlay = Overlay::matches;
+  if (menu_item(ui_map_, "Causes of wrong lines", "L", layout_.overlay == Overlay::causes))
+    layout_.overlay = Overlay::causes;
   ImGui::Separator();
   if (menu_item(ui_map_, "Dark", nullptr, layout_.theme == Theme::dark)) layout_.theme = Theme::dark;
   if (menu_item(ui_map_, "Light", nullptr, layout_.theme == Theme::light)) layout_.theme = Theme::light;

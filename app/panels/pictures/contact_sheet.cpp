@@ -160,7 +160,7 @@ void ContactSheet::draw() {
   } else {
     draw_sheet(low, room);
   }
-  draw_overlay_legend(viewer_, layout_, {low.x, low.y + room.y}, room.x);
+  draw_overlay_legend(viewer_, layout_, ui_map_, {low.x, low.y + room.y}, room.x);
 }
 
 }  // namespace inkbench

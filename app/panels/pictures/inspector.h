@@ -15,7 +15,7 @@ namespace inkbench {
 class InspectorPanel {
  public:
   /// All must outlive it.
-  InspectorPanel(const Document& document, Viewer& viewer, const WindowLayout& layout, ViewState& view,
+  InspectorPanel(Document& document, Viewer& viewer, const WindowLayout& layout, ViewState& view,
                  UiMap& ui_map)
       : document_(document),
         viewer_(viewer),
@@ -29,7 +29,7 @@ class InspectorPanel {
  private:
   void draw_pixel();
 
-  const Document& document_;
+  Document& document_;
   Viewer& viewer_;
   const WindowLayout& layout_;
   ViewState& view_;

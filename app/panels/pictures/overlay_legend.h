@@ -10,14 +10,14 @@
 
 namespace inkbench {
 
-/// Buttons for none, the reference lines, right and wrong.
+/// Buttons for none, the reference lines, right and wrong, causes.
 void overlay_choice(WindowLayout& layout, UiMap& ui_map);
 
-/// None, reference, right and wrong, and round again.
+/// None, reference, right and wrong, causes, and round again.
 void next_overlay(WindowLayout& layout);
 
-/// A line of swatches in the middle of a foot that begins at `foot`, over the pictures so that these stay
-/// where they are; nothing where nothing is laid over.
-void draw_overlay_legend(Viewer& viewer, const WindowLayout& layout, ImVec2 foot, float width);
+/// Lines of swatches in the middle above `foot`, over the pictures so that these stay where they are; nothing
+/// where nothing is laid over. A cause under the mouse is explained; it is `cause:KEY` of the map.
+void draw_overlay_legend(Viewer& viewer, const WindowLayout& layout, UiMap& ui_map, ImVec2 foot, float width);
 
 }  // namespace inkbench

@@ -144,10 +144,44 @@ void draw_term(const ExplainedTerm& term, bool by_largest, ImU32 colour) {
   wrapped_text(cause + ".", theme().faint);
 }
 
-void draw_explanation(const Explanation& why) {
+void draw_verdict(const Explanation& why) {
   wrapped_text(why.verdict, theme().text);
   draw_sum(why);
+}
+
+void draw_terms(const Explanation& why) {
   for (size_t i = 0; i < why.terms.size(); ++i) draw_term(why.terms[i], why.by_largest, term_colour(i));
+}
+
+/// A button for each value that would change the pixel, `change:KEY` of the map.
+void draw_changes(const Explanation& why, Document& document, UiMap& ui_map) {
+  ImGui::Dummy({0, scaled(2)});
+  if (why.changes.empty()) {
+    faint_text(why.is_line ? "No single limit removes it." : "No single limit draws it.");
+    return;
+  }
+  faint_text(why.is_line ? "Remove it by" : "Draw it by");
+  for (const ExplainedChange& change : why.changes) {
+    const std::string label = change.parameter + " = " + to_text(change.value);
+    if (ImGui::Button(label.c_str())) document.change(change.parameter, change.value);
+    ui_map.mark_item("change:" + change.parameter);
+    help_for_item("It is " + to_text(change.now) + " now. The nearest value that does it.");
+  }
+}
+
+/// Of the marked pixel or of one within the judge's tolerance; nothing where none of them is wrong.
+void draw_cause(const CauseDesk& causes, const MarkedPixel& pixel, UiMap& ui_map) {
+  if (causes.now() == nullptr) return;
+  const auto found = cause_near(*causes.now(), pixel.x, pixel.y, causes.tolerance_px());
+  if (!found) return;
+  const auto& [r, g, b] = info_of(found->cause).colour;
+  ImGui::Dummy({0, scaled(2)});
+  const ImVec2 place = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      place, {place.x + scaled(3), place.y + ImGui::GetTextLineHeight()}, IM_COL32(r, g, b, 255));
+  ImGui::SetCursorScreenPos({place.x + scaled(8), place.y});
+  wrapped_text(cause_text(*found), theme().text);
+  ui_map.mark_item("why cause");
 }
 
 /// Of the state that was asked; nothing while its picture is not there yet.
@@ -163,7 +197,7 @@ const Explanation* explanation_of(Viewer& viewer, const MarkedPixel& pixel, bool
 
 }  // namespace
 
-void draw_why(const Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map) {
+void draw_why(Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map) {
   if (!view.marked) {
     wrapped_text("Click a pixel to see why it is a line or not.", theme().faint);
     return;
@@ -176,7 +210,13 @@ void draw_why(const Document& document, Viewer& viewer, ViewState& view, UiMap& 
   ui_map.mark_item(pinned ? "why pinned" : "why");
   try {
     const Explanation* why = explanation_of(viewer, *view.marked, pinned);
-    if (why != nullptr) draw_explanation(*why);
+    if (why == nullptr) return;
+    draw_verdict(*why);
+    if (!pinned) {  // its settings are others
+      draw_cause(viewer.judge.causes, *view.marked, ui_map);
+      draw_changes(*why, document, ui_map);
+    }
+    draw_terms(*why);
   } catch (const Error&) {
     faint_text("?");  // told by the banner
   }

@@ -10,7 +10,8 @@
 
 namespace inkbench {
 
+/// With what would draw or remove it, a click each, and why it is false or missed where that is known.
 /// Draws into the current ImGui window; nothing but a hint where no pixel is marked.
-void draw_why(const Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map);
+void draw_why(Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map);
 
 }  // namespace inkbench

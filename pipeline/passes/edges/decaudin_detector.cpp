@@ -74,6 +74,9 @@ class DecaudinDetector final : public EdgeDetector {
                                 edge_class(surfaces, lens, x, y, kDecaudinReach));
   }
 
+  std::vector<std::string> deciding_parameters() const override {
+    return {"decaudin.k_depth", "decaudin.k_normal"};
+  }
   bool has_normal_term(const Settings&) const override { return true; }
   bool tells_objects(const Settings&) const override { return false; }
   std::optional<Settings> without_depth_term(const Settings& settings) const override {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,10 @@ class EdgeDetector {
   /// Why the pixel (x, y) of `maps` is a line or not. They are the raw values of `maps()`, all of one size,
   /// of which the image's edges are edges only. `drawn` is left 0.
   virtual Explanation explain(const PerBuffer<Image>& maps, const Settings& settings, int x, int y) const = 0;
+
+  /// The parameters that decide by the same maps whether a pixel is a line, by their keys: numbers, which
+  /// must do so from some value on, and switches of terms.
+  virtual std::vector<std::string> deciding_parameters() const = 0;
 
   // --- what its lines can come from, for finding out why one is false (studies/judging/cause_finder.h) ---
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/params/value.h"
+
 namespace inkbench {
 
 /// From the explained pixel: dx to the right, dy downwards.
@@ -41,6 +43,12 @@ struct ExplainedTerm {
   std::string cause;  ///< "normals 62 degrees apart between box and room"; empty where nothing stands out.
 };
 
+/// A value of one parameter that alone, by the same maps, makes a line of what is none, or none of a line.
+struct ExplainedChange {
+  std::string parameter;  ///< "combine.k_depth"
+  Value value, now;       ///< A number with few digits, just beyond the one at which it changes; or a switch.
+};
+
 struct Explanation {
   std::string detector;
   int x = 0, y = 0;
@@ -54,7 +62,8 @@ struct Explanation {
   double drawn = 0;        ///< What it stored.
   bool is_line = false;    ///< By the terms: detected. What is thinned afterwards may leave it out.
   std::string line_class;  ///< "object", "silhouette", "crease": what the line is of; empty without one.
-  std::string verdict;     ///< "A line, because the sum of the terms, 1.2, reaches the threshold 0.75."
+  std::vector<ExplainedChange> changes;  ///< In the order of the detector's parameters.
+  std::string verdict;  ///< "A line, because the sum of the terms, 1.2, reaches the threshold 0.75."
 };
 
 }  // namespace inkbench

@@ -51,6 +51,7 @@ class LaplacianDetector final : public EdgeDetector {
                                 edge_class(surfaces, lens, x, y, kLaplacianReach));
   }
 
+  std::vector<std::string> deciding_parameters() const override { return {"laplacian.bend"}; }
   bool has_normal_term(const Settings&) const override { return false; }
   bool sees_facets(const Settings&) const override { return true; }
   bool tells_objects(const Settings&) const override { return false; }

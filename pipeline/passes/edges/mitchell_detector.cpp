@@ -55,6 +55,9 @@ class MitchellDetector final : public EdgeDetector {
 
   Explanation explain(const PerBuffer<Image>& maps, const Settings& settings, int x, int y) const override;
 
+  std::vector<std::string> deciding_parameters() const override {
+    return {"mitchell.angle", "mitchell.depth", "mitchell.albedo", "mitchell.use_ids"};
+  }
   bool has_normal_term(const Settings&) const override { return true; }
   bool tells_objects(const Settings& settings) const override { return settings.mitchell.use_ids; }
   std::optional<Settings> without_depth_term(const Settings& settings) const override {

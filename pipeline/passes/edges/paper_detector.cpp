@@ -58,6 +58,10 @@ class PaperDetector final : public EdgeDetector {
     return result;
   }
 
+  std::vector<std::string> deciding_parameters() const override {
+    return {"combine.k_depth", "combine.k_normal", "combine.threshold", "combine.use_depth",
+            "combine.use_normal"};
+  }
   bool has_normal_term(const Settings& settings) const override { return settings.combine.use_normal; }
   bool tells_objects(const Settings&) const override { return false; }
   std::optional<Settings> without_depth_term(const Settings& settings) const override {

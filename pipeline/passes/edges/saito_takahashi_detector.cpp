@@ -56,6 +56,9 @@ class SaitoTakahashiDetector final : public EdgeDetector {
                                 edge_class(surfaces, lens, x, y, kSaitoTakahashiReach));
   }
 
+  std::vector<std::string> deciding_parameters() const override {
+    return {"saito_takahashi.profile", "saito_takahashi.crease"};
+  }
   bool has_normal_term(const Settings&) const override { return false; }
   bool sees_facets(const Settings&) const override { return true; }  // by the second difference
   bool tells_objects(const Settings&) const override { return false; }

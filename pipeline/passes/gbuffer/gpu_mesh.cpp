@@ -189,6 +189,14 @@ void MeshStore::share_full(MeshStore& other, const ModelParams& model) {
   if (!meshes_.contains(identity(model, {}))) take_full(model, other.full_mesh(model));
 }
 
+void MeshStore::share(MeshStore& other, const ModelParams& model, const MeshParams& level) {
+  for (const MeshParams& shared : {MeshParams{}, level}) {
+    const Key key = identity(model, shared);
+    if (!meshes_.contains(key))
+      hold(key, model, other.drawn_mesh(model, shared), other.get(model, level)->placement());
+  }
+}
+
 void MeshStore::keep_only(std::span<const Key> keys) {
   std::erase_if(meshes_, [&](const auto& entry) {
     return std::find(keys.begin(), keys.end(), entry.first) == keys.end();

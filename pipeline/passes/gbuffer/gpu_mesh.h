@@ -73,6 +73,8 @@ class MeshStore {
   /// next is forgotten.
   void take_full(const ModelParams& model, std::shared_ptr<const Mesh> mesh);
   void share_full(MeshStore& other, const ModelParams& model);
+  /// Takes what another store draws of the model at that level, and its full mesh.
+  void share(MeshStore& other, const ModelParams& model, const MeshParams& level);
   /// The mesh that `get` draws, in memory.
   std::shared_ptr<const Mesh> drawn_mesh(const ModelParams& model, const MeshParams& level);
   /// Frees all meshes that are not among these.

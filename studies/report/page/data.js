@@ -82,8 +82,9 @@ function thumbUrl(cell, slot) {
   return text ? `data:image/webp;base64,${text}` : "";
 }
 
-function overlayUrl(cell, view) {
-  const index = cell.overlays ? cell.overlays[view] : undefined;
+/** What lies over a view's pictures: `kind` is "overlays" (reference lines) or "causes"; "" where there is none. */
+function overlayUrl(cell, view, kind = "overlays") {
+  const index = cell[kind] ? cell[kind][view] : undefined;
   return index === undefined || index < 0 ? "" : study.overlays[index];
 }
 

@@ -9,6 +9,7 @@ const kKeys = [
   [["Space", "x"], "flips between A and B"],
   [["d"], "difference of A and B"],
   [["r"], "reference lines over the pictures"],
+  [["c"], "causes of false and missed lines over the pictures"],
   [["f"], "all of the picture, or its pixels one to one"],
   [["+", "−"], "zoom; also Ctrl and the wheel, and a double click"],
   [["drag", "wheel"], "move all pictures together"],
@@ -34,6 +35,7 @@ const kTools = [
   {id: "flip", text: "Flip", key: "space", title: "Flip between A and B (Space, x)", run: () => flip(), shown: isMany},
   {id: "difference", text: "Difference", key: "d", title: "B against A (d)", run: toggleDifference, shown: isMany},
   {id: "reference", text: "Reference", key: "r", title: "Reference lines (r)", run: toggleReference, shown: hasOverlays},
+  {id: "causes", text: "Causes", key: "c", title: "Causes of false and missed lines (c)", run: toggleCauses, shown: hasCauses},
   {id: "help", text: "?", title: "Keys (?)", run: () => byId("keys").showModal(), group: true, shown: true},
 ];
 
@@ -57,6 +59,7 @@ function drawToolStates() {
   set("pin", "aria-pressed", view.pinned === shownCell());
   set("difference", "aria-pressed", view.difference);
   set("reference", "aria-pressed", view.reference);
+  set("causes", "aria-pressed", view.causes);
   for (const id of ["flip", "difference"]) {
     if (byId(id)) byId(id).disabled = !isPinned;
   }
@@ -77,6 +80,7 @@ const kViewerKeys = {
   " ": () => flip(),
   d: toggleDifference,
   r: toggleReference,
+  c: toggleCauses,
   f: () => toggleFit(),
   "+": () => zoomBy(1),
   "=": () => zoomBy(1),

@@ -59,6 +59,7 @@ function describe(options) {
   const which = view.pinned < 0 ? "" : view.showsPinned ? "a" : "b";
   stage.dataset.shown = view.difference ? "difference" : which;
   stage.classList.toggle("with-reference", view.reference);
+  stage.classList.toggle("with-causes", view.causes);
   stage.style.setProperty("--opacity", view.opacity);
   const letter = which && !view.difference ? `${which.toUpperCase()}: ` : "";
   byId("viewer-title").textContent = `${letter}${cellTitle(index)} of ${shortNumber(cells.length)}`;
@@ -150,6 +151,13 @@ function makeLegend() {
   return make("section", {}, make("h3", {}, "Reference lines"), make("ul", {class: "legend"}, ...entries), field);
 }
 
+function makeCauses() {
+  if (!view.causes || !hasCauses) return null;
+  const entries = study.causes.map(([name, colour, help]) =>
+    make("li", {title: help}, make("i", {style: `background:${colour}`}), name));
+  return make("section", {}, make("h3", {}, "Causes of wrong lines"), make("ul", {class: "legend"}, ...entries));
+}
+
 function makeError() {
   const {error} = cells[shownCell()];
   return error ? make("section", {class: "failures"}, make("h3", {}, "This cell failed"), make("p", {}, error)) : null;
@@ -161,7 +169,7 @@ function drawSide() {
     makeFields("Numbers", (column) => column.kind === "number"),
     makeFields("Set by the variant", (column) => variantColumns.has(column)),
   ];
-  const parts = [makeMap(), makeError(), ...fields, makeLegend()];
+  const parts = [makeMap(), makeError(), ...fields, makeLegend(), makeCauses()];
   byId("viewer-side").replaceChildren(...parts.filter(Boolean));
   byId("viewer-side").hidden = !byId("viewer-side").childElementCount;
 }

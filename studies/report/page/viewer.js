@@ -10,6 +10,7 @@ const view = {
   pinned: -1, // A
   showsPinned: false,
   reference: false,
+  causes: false,
   opacity: 1,
   difference: false,
   solo: -1, // the only picture shown; -1: all
@@ -20,7 +21,8 @@ const view = {
 };
 
 const shownCell = () => (view.showsPinned ? view.pinned : view.cell);
-const hasOverlays = study.overlays.length > 0;
+const hasOverlays = cells.some((cell) => cell.overlays && cell.overlays.some((index) => index >= 0));
+const hasCauses = study.causes.length > 0;
 
 /* Loading. */
 
@@ -59,6 +61,12 @@ async function loadLayer(index, slot) {
     picture.style.setProperty("--height", isStandIn ? study.size[1] : picture.naturalHeight);
   }
   layer.append(picture);
+  const causes = overlayUrl(cell, slots[slot].view, "causes");
+  if (causes) {
+    const dots = make("img", {src: causes, alt: "causes of wrong lines", draggable: "false"});
+    dots.style.cssText = picture.style.cssText;
+    layer.append(make("div", {class: "causes"}, dots));
+  }
   const overlay = overlayUrl(cell, slots[slot].view);
   if (overlay) {
     const lines = make("img", {src: overlay, alt: "reference lines", draggable: "false"});
@@ -168,6 +176,12 @@ function toggleReference() {
   describe();
 }
 
+function toggleCauses() {
+  if (!hasCauses) return;
+  view.causes = !view.causes;
+  describe();
+}
+
 /* Opening and closing. */
 
 function openViewer(index, opener = null) {
@@ -187,7 +201,7 @@ function showViewer() {
   filled.then(preloadNeighbours);
 }
 
-const kViewerEntries = ["cell", "a", "show", "difference", "reference", "zoom", "x", "y", "picture"];
+const kViewerEntries = ["cell", "a", "show", "difference", "reference", "causes", "zoom", "x", "y", "picture"];
 
 viewer.addEventListener("close", () => {
   const last = view.cell;
@@ -216,6 +230,7 @@ function applyHash() {
   view.showsPinned = view.pinned >= 0 && hashState.get("show") === "a";
   view.difference = view.pinned >= 0 && hashState.get("difference") === "1";
   view.reference = hasOverlays && hashState.get("reference") === "1";
+  view.causes = hasCauses && hashState.get("causes") === "1";
   view.solo = hashNumber("picture", 1, slots.length, 0) - 1;
   readZoom();
   showViewer();
@@ -229,6 +244,7 @@ function keepInHash(options) {
     show: view.showsPinned ? "a" : null,
     difference: view.difference ? 1 : null,
     reference: view.reference ? 1 : null,
+    causes: view.causes ? 1 : null,
     picture: view.solo < 0 ? null : view.solo + 1,
     ...zoomEntries(),
   }, options);
