@@ -5,21 +5,34 @@
 #include "pipeline/passes/edges/detection_pass.h"
 
 namespace inkbench {
+namespace {
+
+/// place_block of shaders/pairs.frag in std140.
+struct PlaceBlock {
+  glm::vec2 middle_px;
+  glm::vec2 padding;
+};
+
+}  // namespace
 
 const PassKind& PairsPass::kind() {
   static const PassKind kKind =
-      describe_pass<PairsPass>("pairs", 4, {}, LensInput{}, value_of<GBufferPass>());
+      describe_pass<PairsPass>("pairs", 4, {}, LensInput{}, WindowInput{}, value_of<GBufferPass>());
   return kKind;
 }
 
 PairsPass::PairsPass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "pairs.frag",
-               {.samplers = {"surface_map"}, .uniform_blocks = {kLensBlock}}, generated) {}
+    : program_(
+          "full_screen.vert", "pairs.frag",
+          {.samplers = {"surface_map"}, .uniform_blocks = {kLensBlock, {"place_block", sizeof(PlaceBlock)}}},
+          generated) {}
 
-Texture PairsPass::run(const LensBlock& lens, const GBuffer& gbuffer) const {
+Texture PairsPass::run(const LensBlock& lens, const ImageWindow& window, const GBuffer& gbuffer) const {
   Texture pairs("pairs", TextureFormat::rgba16f, gbuffer.surface.width_px(), gbuffer.surface.height_px());
   const Buffer lens_uniforms = lens_buffer(lens);
-  draw_over(pairs, program_, {&gbuffer.surface}, {&lens_uniforms});
+  const PlaceBlock place{window.middle_px(), {}};
+  const Buffer place_uniforms("place block", bytes_of(std::span(&place, 1)));
+  draw_over(pairs, program_, {&gbuffer.surface}, {&lens_uniforms, &place_uniforms});
   return pairs;
 }
 

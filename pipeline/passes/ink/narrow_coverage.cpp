@@ -40,7 +40,7 @@ int reach_of(float half_px) {
 
 bool lines_are_narrow(const Settings& settings) {
   if (widths_need_range(settings)) return false;
-  return widest_half_px(widths_of(settings), {}, settings.image.height, nullptr) <= kMostHalfPx;
+  return widest_half_px(widths_of(settings), {}, glm::vec2(0.0F)) <= kMostHalfPx;
 }
 
 const PassKind& NarrowCoveragePass::kind() {
@@ -69,10 +69,10 @@ NarrowCoveragePass::NarrowCoveragePass(const GeneratedSources& generated)
 Texture NarrowCoveragePass::run(int samples, const WidthParams& widths, const LensBlock& lens,
                                 const Texture& placed, const Texture& tiles, const GBuffer& gbuffer) const {
   Texture ink("narrow coverage", TextureFormat::rg8, placed.width_px(), placed.height_px());
-  const int reach_px = reach_of(widest_half_px(widths, lens, placed.height_px(), nullptr));
+  const int reach_px = reach_of(widest_half_px(widths, lens, glm::vec2(0.0F)));
   const Buffer count = coverage_buffer({samples, reach_px, {}});
   const Buffer line = block_buffer(widths.line), lens_uniforms = lens_buffer(lens);
-  const Buffer factors = widths_buffer(widths, placed.height_px(), false);
+  const Buffer factors = widths_buffer(widths, false);
   const SquaresBlock block{placed.width_px(), placed.height_px(), reach_px, squares(placed.width_px())};
   const Buffer squares_uniforms("squares block", bytes_of(std::span<const SquaresBlock>(&block, 1)));
   const RenderTarget target({&ink}, nullptr);
