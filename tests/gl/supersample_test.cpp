@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 
+#include "pipeline/passes/ink/coverage.h"
+#include "studies/judging/drawing_meter.h"
 #include "tests/gl/checks.h"
 #include "tests/gl/scenes.h"
 
@@ -144,6 +148,62 @@ TEST(Supersample, lines_have_the_width_and_length_that_they_had) {
   const double once = ink(1);
   EXPECT_GT(once, 500.0);
   for (const int times : {2, 4}) EXPECT_NEAR(ink(times) / once, 1.0, 0.05) << times;
+}
+
+/// What a line of 1.5 px covers of each pixel whose middle runs along a circle about the image's middle.
+Image circle_coverage(int side_px, double radius_px) {
+  constexpr int kSamples = 32;
+  Image coverage(side_px, side_px, 1);
+  for (int y = 0; y < side_px; ++y) {
+    for (int x = 0; x < side_px; ++x) {
+      int covered = 0;
+      for (int s = 0; s < kSamples * kSamples; ++s) {
+        const glm::dvec2 place(x + (s % kSamples + 0.5) / kSamples, y + (s / kSamples + 0.5) / kSamples);
+        covered += std::abs(glm::length(place - 0.5 * side_px) - radius_px) <= 0.75 ? 1 : 0;
+      }
+      coverage.at(x, y) = static_cast<float>(covered) / (kSamples * kSamples);
+    }
+  }
+  return coverage;
+}
+
+TEST(Supersample, twice_the_samples_halve_the_error_against_a_balls_exact_outline) {
+  constexpr int kSide = 128;
+  Settings settings;
+  settings.image.width = settings.image.height = kSide;
+  settings.models = {{.name = "ball", .shape = Shape::sphere, .segments = 256, .size = 2.0F}};
+  settings.edges.method = EdgeMethod::dihedral;
+  settings.line.antialias = false;
+  const double tangent = 1.0 / std::sqrt(24.0);  // of a ball of radius 1, 5 away
+  const double radius_px = tangent / pixel_size(settings.camera, 1.0, kSide);
+  std::vector<double> errors;
+  for (const int times : {2, 4, 8}) {
+    settings.image.supersample = times;
+    Image drawn = values_of(Pipeline().at(settings).picture(BufferName::coverage), 1);
+    for (float& value : drawn.samples) value /= 255.0F;
+    // A step's line lies half a sample inside.
+    errors.push_back(
+        *tally_antialiasing(drawn, drawn, circle_coverage(kSide, radius_px - 0.5 / times)).drawn_rms());
+  }
+  for (int i = 0; i < 2; ++i) EXPECT_NEAR(errors[i] / errors[i + 1], 2.0, 0.5);
+  EXPECT_LT(errors[2], 0.03);
+}
+
+TEST(Supersample, error_is_of_the_picture_against_the_same_lines_at_size_one) {
+  Pipeline pipeline;
+  MeasureNeeds needs;
+  needs.antialiasing = true;
+  DrawingMeter meter(pipeline, needs);
+  const Frame once = pipeline.at(supersampled_scene(1)), twice = pipeline.at(supersampled_scene(2));
+  EXPECT_NE(meter.key(once), meter.key(twice));
+  const auto of_once = meter.tally(once).antialiasing, of_twice = meter.tally(twice).antialiasing;
+  EXPECT_EQ(of_once->pixels, of_twice->pixels);
+  EXPECT_EQ(of_once->aliased_squares, of_twice->aliased_squares);
+  Image drawn = values_of(twice.picture(BufferName::coverage), 1);
+  for (float& value : drawn.samples) value /= 255.0F;
+  const Image wanted = once.value<SampledCoverage>()->read(0, 1);
+  EXPECT_EQ(of_twice->drawn_squares, tally_antialiasing(drawn, drawn, wanted).drawn_squares);
+  EXPECT_NE(of_twice->drawn_squares, of_once->drawn_squares);
 }
 
 TEST(Supersample, changes_pictures_of_colours_and_nothing_else) {
