@@ -91,14 +91,15 @@ std::vector<ImageWindow> TilePlan::tiles(const ImageParams& picture) const {
   return tiles;
 }
 
+/// Of one size for all tiles, so that each finds the textures that the last one left.
 ImageWindow TilePlan::drawn_for(const ImageWindow& tile) const {
   ImageWindow drawn;
   drawn.whole_width = tile.whole_width * times;
   drawn.whole_height = tile.whole_height * times;
-  drawn.left = std::max(tile.left * times - margin_px, 0);
-  drawn.bottom = std::max(tile.bottom * times - margin_px, 0);
-  drawn.width = std::min((tile.left + tile.width) * times + margin_px, drawn.whole_width) - drawn.left;
-  drawn.height = std::min((tile.bottom + tile.height) * times + margin_px, drawn.whole_height) - drawn.bottom;
+  drawn.width = std::min(tile_width * times + 2 * margin_px, drawn.whole_width);
+  drawn.height = std::min(tile_height * times + 2 * margin_px, drawn.whole_height);
+  drawn.left = std::clamp(tile.left * times - margin_px, 0, drawn.whole_width - drawn.width);
+  drawn.bottom = std::clamp(tile.bottom * times - margin_px, 0, drawn.whole_height - drawn.height);
   return drawn;
 }
 
