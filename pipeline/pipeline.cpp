@@ -10,7 +10,9 @@
 #include "pipeline/gl/gl_context.h"
 #include "pipeline/pass_list.h"
 #include "pipeline/passes/gbuffer/meshes.h"
+#include "pipeline/passes/gbuffer/visible_range.h"
 #include "pipeline/passes/lines/reference.h"
+#include "pipeline/supersample.h"
 
 namespace inkbench {
 namespace {
@@ -44,13 +46,13 @@ PictureView view_of(const DisplayParams& display, BufferName buffer, const std::
   return view;
 }
 
-Key picture_key(const PictureView& view, const Key& buffer, const Key& program) {
-  return KeyBuilder()
-      .add("picture")
-      .add(program)
-      .add(buffer)
-      .add(fmt::format("{} {} {}", view.channel, view.gain, view.low))
-      .key();
+/// `times` a side: drawn larger and filtered down, which the settings' other parts decide as they do the
+/// buffer; 1: not.
+Key picture_key(const PictureView& view, const Key& buffer, const Key& program, int times) {
+  KeyBuilder key;
+  key.add("picture").add(program).add(buffer).add(fmt::format("{} {} {}", view.channel, view.gain, view.low));
+  if (times > 1) key.add(fmt::format("supersampled {}", times));
+  return key.key();
 }
 
 Image part_of(const Image& image, int left, int top, int width_px, int height_px) {
@@ -72,35 +74,55 @@ ShownRange gain_range(const DisplayParams& display, BufferName buffer) {
 Pipeline::Pipeline() : Pipeline(std::make_shared<LineFinder>()) {}
 
 Pipeline::Pipeline(std::shared_ptr<LineFinder> finder)
+    : Pipeline(std::move(finder), std::make_shared<MeshStore>()) {}
+
+Pipeline::Pipeline(std::shared_ptr<LineFinder> finder, std::shared_ptr<MeshStore> meshes)
     : pool_user_(GlContext::current().textures()), flow_(generated_sources()) {
   flow_.share(std::move(finder));
+  flow_.share(std::move(meshes));
   for (const PassKind* pass : all_passes()) flow_.add(*pass);
   picture_pass();
+  box_filter();
   throw_gl_errors("making the programs");
 }
 
-Frame Pipeline::make_frame(const Settings& settings, std::shared_ptr<const FrameState> previous) {
-  const auto state = std::make_shared<FrameState>(settings, std::move(previous));
+Pipeline::~Pipeline() = default;
+
+BoxFilterPass& Pipeline::box_filter() {
+  return flow_.shared<BoxFilterPass>();
+}
+
+Supersampler& Pipeline::supersampler() {
+  if (!supersampler_)
+    supersampler_ = std::make_unique<Supersampler>(line_finder(), flow_.sharing<MeshStore>());
+  return *supersampler_;
+}
+
+Frame Pipeline::make_frame(std::shared_ptr<FrameState> state) {
   for (const auto& node : flow_.nodes()) state->keys.push_back(node->key(*state));
-  return {*this, state};
+  return {*this, std::move(state)};
 }
 
 Frame Pipeline::at(const Settings& settings) {
-  return make_frame(settings, nullptr);
+  return make_frame(std::make_shared<FrameState>(settings, nullptr));
 }
 
 Frame Pipeline::at(const Settings& settings, const Frame& previous) {
-  return make_frame(settings, flow_.looks_back() ? previous.state_ : nullptr);
+  return make_frame(std::make_shared<FrameState>(settings, flow_.looks_back() ? previous.state_ : nullptr));
 }
 
-void Pipeline::check_room(const ImageParams& image) {
+Frame Pipeline::at(const Settings& settings, const ImageWindow& part) {
+  return make_frame(std::make_shared<FrameState>(settings, nullptr, part));
+}
+
+void Pipeline::check_room(const ImageParams& image, const std::string& where, const std::string& instead) {
   const double pixels = static_cast<double>(image.width) * image.height;
   if (pixels <= drawn_px_) return;
   const RendererInfo info = renderer_info();
   const bool is_possible = std::max(image.width, image.height) <= info.max_side_px;  // else the pass says so
   if (is_possible && draws_in_memory(info)) {
-    check_memory(kBytesPerPixel * pixels, "image.width, image.height",
-                 fmt::format("drawing {} x {} px", image.width, image.height), "choose a smaller image");
+    check_memory(kBytesPerPixel * pixels, where, fmt::format("drawing {} x {} px", image.width, image.height),
+                 instead);
   }
   drawn_px_ = pixels;
 }
@@ -109,6 +131,7 @@ void Pipeline::forget_results() {
   drawn_px_ = 0;
   for (const auto& node : flow_.nodes()) node->forget();
   pictures_.clear();
+  if (supersampler_) supersampler_->forget_results();
   pool_user_.free_idle();
 }
 
@@ -136,12 +159,14 @@ std::vector<Program*> Pipeline::programs() {
     for (Program* program : node->programs()) programs.push_back(program);
   }
   programs.push_back(&picture_pass().program());
+  programs.push_back(&box_filter().program());
   return programs;
 }
 
 bool Pipeline::reload_changed_shaders() {
   bool any = false;
   for (Program* program : programs()) any |= program->reload_if_changed(flow_.generated());
+  if (supersampler_) any |= supersampler_->reload_changed_shaders();
   return any;
 }
 
@@ -153,7 +178,10 @@ std::string Pipeline::shader_problem() {
 }
 
 Shown Frame::show(BufferName buffer) const {
-  pipeline_->check_room(settings().image);
+  ImageParams drawn = settings().image;
+  drawn.width = state_->window.width;
+  drawn.height = state_->window.height;
+  pipeline_->check_room(drawn);
   const PoolUser::Scope scope(pipeline_->pool_user_);
   return pipeline_->flow_.node_of(buffer).show(*state_, buffer);
 }
@@ -163,11 +191,25 @@ void Frame::draw(BufferName buffer) const {
   throw_gl_errors(std::string(name_of(buffer)));
 }
 
+Texture Frame::supersampled(BufferName buffer, const PictureView& view) const {
+  pipeline_->check_room(settings().image);
+  const Image visible = value<VisibleRangePass>()->read(0, 2);
+  const PoolUser::Scope pool_scope(pipeline_->pool_user_);
+  const PassScope pass_scope(pipeline_->flow_.observer(), "picture");
+  return pipeline_->supersampler().draw(settings(), {visible.at(0, 0, 0), visible.at(0, 0, 1)}, buffer, view,
+                                        pipeline_->box_filter(), pipeline_->tile_px_);
+}
+
 Picture Frame::picture(BufferName buffer) const {
+  const PictureView view = view_of(settings().display, buffer, std::nullopt);
+  if (is_supersampled(settings(), buffer)) {
+    Picture picture = supersampled(buffer, view).read_picture();
+    throw_gl_errors(std::string(name_of(buffer)));
+    return picture;
+  }
   const Shown shown = show(buffer);
   if (shown.texture == nullptr) return shown.picture();
   const PoolUser::Scope scope(pipeline_->pool_user_);
-  const PictureView view = view_of(settings().display, buffer, std::nullopt);
   Picture picture = pipeline_->picture_pass().run(view, *shown.texture).read_picture();
   throw_gl_errors(std::string(name_of(buffer)));
   return picture;
@@ -176,9 +218,11 @@ Picture Frame::picture(BufferName buffer) const {
 PictureTexture Frame::picture_texture(BufferName buffer, const std::optional<ShownRange>& range) const {
   PicturePass& pass = pipeline_->picture_pass();
   const PictureView view = view_of(settings().display, buffer, range);
-  const Key key = inkbench::picture_key(view, this->key(buffer), pass.program().key());
-  const Shown shown = show(buffer);
+  const bool larger = is_supersampled(settings(), buffer);
+  const Key key = picture_key_of(buffer, view);
+  const Shown shown = larger ? Shown{} : show(buffer);
   const Texture& texture = pipeline_->pictures_[buffer].get(key, [&] {
+    if (larger) return supersampled(buffer, view);
     const PoolUser::Scope pool_scope(pipeline_->pool_user_);
     const PassScope pass_scope(pipeline_->flow_.observer(), "picture");
     return pass.run(view, *shown.texture);
@@ -225,15 +269,24 @@ Key Frame::key(BufferName buffer) const {
   return state_->keys[pipeline_->flow_.node_of(buffer).index()];
 }
 
+Key Frame::picture_key_of(BufferName buffer, const PictureView& view) const {
+  const bool larger = is_supersampled(settings(), buffer);
+  const Program& program = larger ? pipeline_->box_filter().program() : pipeline_->picture_pass().program();
+  return inkbench::picture_key(view, key(buffer), program.key(), larger ? settings().image.supersample : 1);
+}
+
 Key Frame::picture_key(BufferName buffer) const {
-  return inkbench::picture_key(view_of(settings().display, buffer, std::nullopt), key(buffer),
-                               pipeline_->picture_pass().program().key());
+  return picture_key_of(buffer, view_of(settings().display, buffer, std::nullopt));
 }
 
 Key Frame::key() const {
   KeyBuilder key;
   key.add(pipeline_->picture_pass().program().key()).add(group_text(settings().display));
   for (const Key& node : state_->keys) key.add(node);
+  if (settings().image.supersample > 1) {
+    key.add(pipeline_->box_filter().program().key())
+        .add(fmt::format("supersampled {}", settings().image.supersample));
+  }
   return key.key();
 }
 

@@ -20,7 +20,9 @@
 
 namespace inkbench {
 
+class BoxFilterPass;
 class Pipeline;
+class Supersampler;
 
 /// Values of a buffer to show as black and as white, instead of what the display gains make of them.
 struct ShownRange {
@@ -44,7 +46,7 @@ class Frame {
  public:
   const Settings& settings() const { return state_->settings; }
 
-  /// The buffer's picture, H x W x 3, with the display gains.
+  /// The buffer's picture, H x W x 3, with the display gains; by `image.supersample` where it follows that.
   Picture picture(BufferName buffer) const;
 
   /// The same picture left on the GPU, kept by its key; `range` shows other values than the gains do, where
@@ -95,9 +97,12 @@ class Frame {
 
  private:
   friend class Pipeline;
+  friend class Supersampler;
   Frame(Pipeline& pipeline, std::shared_ptr<const FrameState> state)
       : pipeline_(&pipeline), state_(std::move(state)) {}
   Shown show(BufferName buffer) const;
+  Texture supersampled(BufferName buffer, const PictureView& view) const;
+  Key picture_key_of(BufferName buffer, const PictureView& view) const;
 
   Pipeline* pipeline_;
   std::shared_ptr<const FrameState> state_;
@@ -110,18 +115,28 @@ class Pipeline {
   Pipeline();
   /// Another one's lines are found by the same finder, which keeps what both need once.
   explicit Pipeline(std::shared_ptr<LineFinder> finder);
+  /// The same with another one's meshes, too.
+  Pipeline(std::shared_ptr<LineFinder> finder, std::shared_ptr<MeshStore> meshes);
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
+  ~Pipeline();
 
   /// The frame of the settings. Errors (input): a file that decides it cannot be read.
   Frame at(const Settings& settings);
   /// The same with a past: passes that look back see the previous frame's values. A frame holds those before
   /// it for as long as it lives.
   Frame at(const Settings& settings, const Frame& previous);
+  /// A part of the settings' image, as passes draw it; its buffers have the part's size.
+  Frame at(const Settings& settings, const ImageWindow& part);
 
   /// Errors (work): frames of that size need more memory than there is, beyond what one drawn before has
-  /// taken. Graphics cards have memory of their own, which is not asked about.
-  void check_room(const ImageParams& image);
+  /// taken; with what decides the size and what to do instead. Graphics cards have memory of their own, which
+  /// is not asked about.
+  void check_room(const ImageParams& image, const std::string& where = "image.width, image.height",
+                  const std::string& instead = "choose a smaller image");
+
+  /// The most px a side that are drawn at once for a supersampled picture, as far as that can be.
+  void set_tile_px(int px) { tile_px_ = px; }
 
   /// Drops every pass's value and its memory, so that the next frame runs each pass it needs; meshes and
   /// programs stay, and so does what other pipelines left in the context's pool.
@@ -149,14 +164,18 @@ class Pipeline {
 
  private:
   friend class Frame;
-  Frame make_frame(const Settings& settings, std::shared_ptr<const FrameState> previous);
+  Frame make_frame(std::shared_ptr<FrameState> state);
+  Supersampler& supersampler();
   std::vector<Program*> programs();
   PicturePass& picture_pass() { return flow_.shared<PicturePass>(); }
+  BoxFilterPass& box_filter();
 
   PoolUser pool_user_;  ///< First, so that it ends last, after the nodes have given their textures back.
   Flow flow_;
   PerBuffer<Stage<Texture>> pictures_;
-  double drawn_px_ = 0;  ///< Of the largest frame for which there was room.
+  double drawn_px_ = 0;                         ///< Of the largest frame for which there was room.
+  std::unique_ptr<Supersampler> supersampler_;  ///< Made when it is first needed.
+  int tile_px_ = 2048;
 };
 
 template <class Tag>

@@ -7,13 +7,16 @@
 #include "lib/pair.glsl"
 
 uniform sampler2D surface_map;
+layout(std140) uniform place_block {
+  vec2 middle_px;  // of the whole image, of which this may be a part
+} place;
 layout(location = 0) out vec4 pairs;  // lib/pair_map.glsl
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   ivec2 size = textureSize(surface_map, 0);
   ivec2 right = ivec2(min(at.x + 1, size.x - 1), at.y), above = ivec2(at.x, min(at.y + 1, size.y - 1));
-  vec2 from_middle = gl_FragCoord.xy - 0.5 * vec2(size);
+  vec2 from_middle = gl_FragCoord.xy - place.middle_px;
   Plane here = plane_at(texelFetch(surface_map, at, 0), from_middle);
   Plane beside = plane_at(texelFetch(surface_map, right, 0), from_middle + vec2(right - at));
   Plane over = plane_at(texelFetch(surface_map, above, 0), from_middle + vec2(above - at));

@@ -21,6 +21,8 @@ layout(std140) uniform view_block {
   int use_ramps;
   int light_count;
   int first_material;  // of those in material_list; pixels of the others are drawn by another go
+  vec2 corner_px;      // of the part that is drawn, in the whole image
+  vec2 whole_size_px;
 } view;
 
 layout(std140) uniform light_list { Light lights[max_lights]; };
@@ -50,7 +52,7 @@ void main() {
   }
   Material material = materials[place_in_list];
   vec4 normal_and_depth = texelFetch(normal_and_depth_map, at, 0);
-  vec2 place = gl_FragCoord.xy / vec2(textureSize(object_id_map, 0));
+  vec2 place = (gl_FragCoord.xy + view.corner_px) / view.whole_size_px;
   vec3 ray = view.ray_corner + place.x * view.ray_right + place.y * view.ray_up;
   vec3 eye = view.eye + place.x * view.eye_right + place.y * view.eye_up;
   vec3 position = eye + ray * (normal_and_depth.a * view.far);

@@ -16,7 +16,8 @@ constexpr int64_t kLargePixels = 2 << 20;
 constexpr std::chrono::milliseconds kMoment(100);
 
 bool is_large(const Settings& settings) {
-  return int64_t{settings.image.width} * settings.image.height > kLargePixels;
+  const int64_t times = settings.image.supersample;
+  return times * times * settings.image.width * settings.image.height > kLargePixels;
 }
 
 Texture copy_of(const Texture& from) {

@@ -38,7 +38,8 @@ struct BufferInfo {
   ShownAs shown_as = ShownAs::grey;
   float DisplayParams::*gain = nullptr;  ///< What its picture is multiplied by; 1 where there is none.
   ReadAsLines as_lines = ReadAsLines::no;
-  float limit = 0.0F;  ///< The value from which on there is a line, where others say less; 0: none.
+  bool is_supersampled = false;  ///< Whether its picture follows `image.supersample`.
+  float limit = 0.0F;            ///< The value from which on there is a line, where others say less; 0: none.
 };
 
 /// Which buffer: compared by identity, ordered by name. The constants are those that code refers to.

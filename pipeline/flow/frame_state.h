@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: MIT
 // What a frame is: settings, and the key of each node's value under them, worked out once; perhaps the frame
-// before.
+// before, perhaps a part of the image.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "pipeline/base/key.h"
+#include "pipeline/flow/image_window.h"
 #include "pipeline/settings/settings.h"
 
 namespace inkbench {
 
 struct FrameState {
   Settings settings;
+  ImageWindow window;                          ///< What of the settings' image is drawn.
   std::vector<Key> keys;                       ///< By node.
   std::shared_ptr<const FrameState> previous;  ///< Null where there is none, or no node looks at it.
 
-  FrameState(Settings of, std::shared_ptr<const FrameState> before)
-      : settings(std::move(of)), previous(std::move(before)) {}
+  FrameState(Settings of, std::shared_ptr<const FrameState> before,
+             const std::optional<ImageWindow>& part = std::nullopt)
+      : settings(std::move(of)),
+        window(part.value_or(whole_image(settings.image))),
+        previous(std::move(before)) {}
   FrameState(const FrameState&) = delete;
   FrameState& operator=(const FrameState&) = delete;
   /// One after the other: a film's chain of frames would be too deep for a recursion.

@@ -78,6 +78,14 @@ DerivedInput<kFunction> derived(const Description& (*group)()) {
   return {group().group};
 }
 
+/// Which part of the image is drawn. Run with: const ImageWindow&.
+struct WindowInput {
+  WindowInput bind(Flow&) const { return *this; }
+  static std::vector<PassInput> told() { return GroupInput<&Settings::image>::told(); }
+  void fold(KeyBuilder& key, const FrameState& frame) const { key.add(key_text(frame.window)); }
+  const ImageWindow& get(const FrameState& frame) const { return frame.window; }
+};
+
 /// Another pass's value. Run with: const Tag::Value&.
 template <class Tag>
 struct BoundValue {

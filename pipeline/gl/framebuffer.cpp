@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "pipeline/base/error.h"
@@ -77,9 +78,24 @@ RenderTarget::~RenderTarget() {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+void set_viewport(int left, int bottom, int width_px, int height_px) {
+  glViewport(left, bottom, width_px, height_px);
+}
+
+int largest_viewport_px() {
+  std::array<GLint, 2> sides{};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, sides.data());
+  return std::min(sides[0], sides[1]);
+}
+
 void draw_full_screen() {
   glBindVertexArray(GlContext::current().empty_vertex_array().id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void draw_rectangle(int left, int bottom, int width_px, int height_px) {
+  set_viewport(left, bottom, width_px, height_px);
+  draw_full_screen();
 }
 
 void draw_points(int count) {

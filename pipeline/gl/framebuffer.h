@@ -24,8 +24,17 @@ class RenderTarget {
   GlName<&RenderTarget::destroy> name_;
 };
 
+/// Where clip space lies in the target until the next one is made, px from its lower left corner; it may
+/// reach beyond the target.
+void set_viewport(int left, int bottom, int width_px, int height_px);
+/// The longest side that it can have.
+int largest_viewport_px();
+
 /// Draws one triangle over the whole target with the program in use.
 void draw_full_screen();
+
+/// The same over a rectangle of it alone, px from its lower left corner.
+void draw_rectangle(int left, int bottom, int width_px, int height_px);
 
 /// Draws so many points, which the program in use places by their number and gives a size.
 void draw_points(int count);

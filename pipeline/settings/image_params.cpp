@@ -21,6 +21,12 @@ const Description& ImageParams::description() {
           field<&ImageParams::precision>({.name = "precision",
                                           .help = "Precision of the normal, depth, edge and combined "
                                                   "buffers; unorm8 shows what eight bits do."}),
+          field<&ImageParams::supersample>(
+              {.name = "supersample",
+               .help = "Pictures of colours and of coverage are drawn so many times as wide and as high and "
+                       "filtered down; widths of lines are still in their pixels. Other buffers and all raw "
+                       "values stay as they are.",
+               .limits = {1, 8}}),
       }};
   return kDescription;
 }

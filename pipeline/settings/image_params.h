@@ -21,6 +21,7 @@ struct ImageParams {
   int width = 512;
   int height = 512;
   Precision precision = Precision::float32;
+  int supersample = 1;
 
   static const Description& description();
 };

@@ -8,6 +8,7 @@
 #include "pipeline/passes/ink/drawn_ink.h"
 #include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/lines/reference.h"
+#include "pipeline/supersample.h"
 #include "studies/judging/cause_finder.h"
 
 namespace inkbench {
@@ -33,9 +34,19 @@ size_t drawn_faces(MeshStore& meshes, const Settings& settings) {
 
 namespace {
 
+/// 0 to 1, of pictures at the settings' size whatever they are drawn at.
+Image drawn_coverage(const Frame& frame) {
+  if (!is_supersampled(frame.settings(), BufferName::coverage))
+    return frame.value<LineCoverage>()->read(0, 1);
+  const Picture picture = frame.picture(BufferName::coverage);
+  Image coverage(picture.width_px, picture.height_px, 1);
+  for (size_t i = 0; i < coverage.samples.size(); ++i)
+    coverage.samples[i] = static_cast<float>(picture.samples[i * picture.channels]) / 255.0F;
+  return coverage;
+}
+
 AntialiasingTally antialiasing_of(const Frame& frame) {
-  return tally_antialiasing(frame.value<LineCoverage>()->read(0, 1),
-                            frame.value<AliasedCoverage>()->read(0, 1),
+  return tally_antialiasing(drawn_coverage(frame), frame.value<AliasedCoverage>()->read(0, 1),
                             frame.value<SampledCoverage>()->read(0, 1));
 }
 
@@ -93,7 +104,7 @@ Key DrawingMeter::key(const Frame& frame, const Frame* before) {
   builder.add(frame.key(BufferName::lines));
   if (needs_.reference_lines())
     builder.add(frame.key(BufferName::reference)).add(judge_text(frame.settings().judge));
-  if (needs_.antialiasing) builder.add("antialiasing");
+  if (needs_.antialiasing) builder.add("antialiasing").add(frame.picture_key(BufferName::coverage));
   if (needs_.causes) builder.add(causes_key(frame));
   if (!needs_.full_mesh()) return builder.key();
   const Frame full = with_full_mesh(frame);

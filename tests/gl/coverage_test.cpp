@@ -67,6 +67,7 @@ WidthParams of_width(float px) {
   WidthParams widths;
   widths.line.width = px;
   widths.of_class.fill(1.0F);
+  widths.height_px = kSide;
   return widths;
 }
 

@@ -117,7 +117,8 @@ Image detection_of(const DetectorMaps& maps, const Settings& settings, const Len
       return DecaudinPass(generated).run(settings.decaudin, weak, lens, gradient, both, gbuffer).read(0, 2);
     }
     case EdgeMethod::saito_takahashi: {
-      const Texture range = VisibleRangePass(generated).run(lens.far, gbuffer);
+      const Texture range = VisibleRangePass(generated).run(
+          lens.far, whole_image({both.width_px(), both.height_px(), Precision::float32}), gbuffer);
       const Texture visible = VisibleDepthPass(generated).run(lens, both, range);
       return SaitoTakahashiPass(generated)
           .run(settings.saito_takahashi, weak, lens, visible, both, gbuffer)

@@ -244,7 +244,7 @@ class ParamsLive : public testing::Test {
          bringing_out(key, arrangements(key.starts_with("judge.") ? judged_ : rich_, key))) {
       for (const Settings& after : all_changes(arranged, key)) {
         const bool live = key.starts_with("judge.") ? judge_is_live(arranged, after)
-                          : key.starts_with("display.")
+                          : key.starts_with("display.") || key == "image.supersample"
                               ? !keys_change(arranged, after) && pictures_change(arranged, after)
                               : keys_change(arranged, after) && images_change(arranged, after);
         if (live) return true;

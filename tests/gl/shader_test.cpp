@@ -125,7 +125,7 @@ TEST_F(Shaders, block_whose_members_stand_in_an_order_of_another_size_is_an_erro
   folder_.edit("shade.frag", "  float far; ", "  ");
   folder_.edit("shade.frag", "  int light_count;\n", "  int light_count;\n  float far;\n");
   const std::string error = input_error_of([] { Pipeline(); });
-  EXPECT_TRUE(contains(error, "shaders/shade.frag:11: 'view_block' has 160 bytes, but 144 are")) << error;
+  EXPECT_TRUE(contains(error, "shaders/shade.frag:11: 'view_block' has 176 bytes, but 160 are")) << error;
 }
 
 TEST_F(Shaders, block_in_an_included_file_is_named_there) {
@@ -138,7 +138,7 @@ TEST_F(Shaders, block_in_an_included_file_is_named_there) {
 TEST_F(Shaders, list_of_another_length_is_an_error) {
   folder_.edit("shade.frag", "Light lights[max_lights]", "Light lights[max_lights + 1]");
   const std::string error = input_error_of([] { Pipeline(); });
-  EXPECT_TRUE(contains(error, "shaders/shade.frag:26: 'light_list'")) << error;
+  EXPECT_TRUE(contains(error, "shaders/shade.frag:28: 'light_list'")) << error;
 }
 
 TEST_F(Shaders, parameter_without_description_is_no_member) {

@@ -16,7 +16,7 @@ class PairsPass {
   static const PassKind& kind();
   explicit PairsPass(const GeneratedSources& generated);
   /// Out: rgba16f as shaders/lib/pair_map.glsl says; all 0 where nothing is to be measured.
-  Texture run(bool measures, const LensBlock& lens, const GBuffer& gbuffer) const;
+  Texture run(bool measures, const LensBlock& lens, const ImageWindow& window, const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

@@ -86,8 +86,7 @@ bool needs_surface(const Settings& settings) {
 const PassKind& GBufferPass::kind() {
   static const PassKind kKind = describe_pass<GBufferPass>(
       "gbuffer", 10, {shows(BufferName::object_id, &GBuffer::object_id)}, group<&Settings::camera>(),
-      DrawItemsInput{}, part<&Settings::image, &ImageParams::width>(),
-      part<&Settings::image, &ImageParams::height>(), SurfaceWanted{});
+      DrawItemsInput{}, WindowInput{}, SurfaceWanted{});
   return kKind;
 }
 
@@ -101,8 +100,9 @@ GBufferPass::GBufferPass(const GeneratedSources& generated)
                                             {"surface_block", sizeof(SurfaceBlock)}}},
                         generated) {}
 
-GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> items, int width_px,
-                         int height_px, bool with_surface) const {
+GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> items,
+                         const ImageWindow& window, bool with_surface) const {
+  const int width_px = window.width, height_px = window.height;
   GBuffer result{Texture("normal and depth", TextureFormat::rgba32f, width_px, height_px),
                  Texture("object id", TextureFormat::r32f, width_px, height_px),
                  with_surface ? Texture("surface", TextureFormat::rgba32f, width_px, height_px) : Texture()};
@@ -115,12 +115,15 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
   glClearBufferfv(GL_COLOR, 1, kNoId.data());
   if (with_surface) glClearBufferfv(GL_COLOR, 2, kNoId.data());
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
-  beyond_far_->update(items, camera);
+  if (window.is_whole()) beyond_far_->update(items, camera);
   program(with_surface).use();
-  const float aspect = static_cast<float>(width_px) / static_cast<float>(height_px);
+  const float aspect = window.whole_aspect();
   const glm::mat4 world_to_view = view_matrix(camera);
-  const glm::mat4 world_to_clip = projection_matrix(camera, aspect) * world_to_view;
-  const Buffer lens = lens_buffer(lens_of(camera, height_px));
+  const ImageWindow projected = projected_window(window, largest_viewport_px());
+  set_viewport(projected.left - window.left, projected.bottom - window.bottom, projected.width,
+               projected.height);
+  const glm::mat4 world_to_clip = projection_matrix(camera, projected) * world_to_view;
+  const Buffer lens = lens_buffer(lens_of(camera, window.whole_height));
   for (const DrawItem& item : items) {
     const glm::mat4 normal_to_world(glm::transpose(glm::inverse(glm::mat3(item.model_to_world))));
     const DrawBlock block{world_to_clip * item.model_to_world,   normal_to_world,
@@ -128,9 +131,7 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
                           item.two_sided ? 1.0F : 0.0F,          is_orthographic(camera) ? 1.0F : 0.0F,
                           model_to_distance(world_to_view, item)};
     const Buffer uniforms("draw block", bytes_of(std::span(&block, 1)));
-    const SurfaceBlock wanted{glm::mat4(glm::mat3(world_to_view)) * normal_to_world,
-                              {0.5F * static_cast<float>(width_px), 0.5F * static_cast<float>(height_px)},
-                              {}};
+    const SurfaceBlock wanted{glm::mat4(glm::mat3(world_to_view)) * normal_to_world, window.middle_px(), {}};
     bind_uniform_blocks({&uniforms});
     std::optional<Buffer> surface;
     if (with_surface) {

@@ -34,7 +34,7 @@ class GBufferPass {
   /// The planes are drawn for the detector that reads them alone; the other maps and the key are the same.
   static bool lacks_part(const GBuffer& held, const Settings& settings);
   explicit GBufferPass(const GeneratedSources& generated);
-  GBuffer run(const CameraParams& camera, std::span<const DrawItem> items, int width_px, int height_px,
+  GBuffer run(const CameraParams& camera, std::span<const DrawItem> items, const ImageWindow& window,
               bool with_surface) const;
   std::vector<Program*> programs() { return {&maps_, &maps_and_surface_}; }
 

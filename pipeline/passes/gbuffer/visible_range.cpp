@@ -23,11 +23,21 @@ int fewer(int texels) {
   return std::max((texels + kSquare - 1) / kSquare, 1);
 }
 
+Texture texture_of(const glm::vec2& visible) {
+  Image values(1, 1, 2);
+  values.at(0, 0, 0) = visible.x;
+  values.at(0, 0, 1) = visible.y;
+  Texture texture("visible range", TextureFormat::rg32f, 1, 1);
+  texture.upload(values);
+  return texture;
+}
+
 }  // namespace
 
 const PassKind& VisibleRangePass::kind() {
-  static const PassKind kKind = describe_pass<VisibleRangePass>(
-      "visible_range", 2, {}, part<&Settings::camera, &CameraParams::far>(), value_of<GBufferPass>());
+  static const PassKind kKind =
+      describe_pass<VisibleRangePass>("visible_range", 2, {}, part<&Settings::camera, &CameraParams::far>(),
+                                      WindowInput{}, value_of<GBufferPass>());
   return kKind;
 }
 
@@ -36,7 +46,8 @@ VisibleRangePass::VisibleRangePass(const GeneratedSources& generated)
                {.samplers = {"value_map"}, .uniform_blocks = {{"range_block", sizeof(RangeBlock)}}},
                generated) {}
 
-Texture VisibleRangePass::run(float far, const GBuffer& gbuffer) const {
+Texture VisibleRangePass::run(float far, const ImageWindow& window, const GBuffer& gbuffer) const {
+  if (window.visible_range) return texture_of(*window.visible_range);
   const Texture* from = &gbuffer.normal_and_depth;
   Texture range;
   RangeBlock block{far, 1, {}};

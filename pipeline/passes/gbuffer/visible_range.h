@@ -14,8 +14,8 @@ class VisibleRangePass {
   static const PassKind& kind();
   explicit VisibleRangePass(const GeneratedSources& generated);
   /// Out: rg32f, 1 x 1: the nearest and the farthest distance in world units; 1e30 and 0 where nothing is
-  /// visible.
-  Texture run(float far, const GBuffer& gbuffer) const;
+  /// visible. A part of an image has the whole's.
+  Texture run(float far, const ImageWindow& window, const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

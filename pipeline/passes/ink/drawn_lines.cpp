@@ -14,7 +14,8 @@ constexpr BufferInfo kLines{.name = "lines",
 constexpr BufferInfo kCoverage{.name = "coverage",
                                .help = "How much of each pixel is ink; from a half on it is a line.",
                                .first_channel = 1,
-                               .as_lines = ReadAsLines::at_cut};
+                               .as_lines = ReadAsLines::at_cut,
+                               .is_supersampled = true};
 
 /// lines_block of shaders/lines.frag in std140.
 struct LinesBlock {

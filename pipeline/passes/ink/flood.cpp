@@ -40,7 +40,7 @@ FloodPass::FloodPass(const GeneratedSources& generated)
 
 Texture FloodPass::run(const WidthParams& widths, const LensBlock& lens, const Texture& seeds,
                        const Texture* visible) const {
-  const int reach = reach_px(widest_half_px(widths, lens, seeds.height_px(), visible), seeds);
+  const int reach = reach_px(widest_half_px(widths, lens, visible), seeds);
   int step = 1;
   while (2 * step <= reach) step *= 2;
   Texture flooded;

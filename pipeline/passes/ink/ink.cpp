@@ -13,7 +13,8 @@ constexpr BufferInfo kFinal{.name = "final",
                             .help = "Ink over the shading.",
                             .number_key = 7,
                             .channels = 3,
-                            .shown_as = ShownAs::colour};
+                            .shown_as = ShownAs::colour,
+                            .is_supersampled = true};
 
 /// look_block of shaders/ink.frag in std140.
 struct LookBlock {

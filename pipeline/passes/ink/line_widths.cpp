@@ -6,7 +6,7 @@
 namespace inkbench {
 
 WidthParams widths_of(const Settings& settings) {
-  WidthParams widths{settings.line, {}};
+  WidthParams widths{settings.line, {}, settings.image.height};
   for (size_t i = 0; i < kEdgeClasses; ++i) widths.of_class[i] = settings.class_looks[i].width;
   // What is no width.
   widths.line.taper = 0;
@@ -22,25 +22,30 @@ bool widths_need_range(const Settings& settings) {
 void WidthInput::fold(KeyBuilder& key, const FrameState& frame) const {
   const WidthParams widths = get(frame);
   key.add(group_text(widths.line));
+  if (widths.line.unit == WidthUnit::percent) key.add(std::to_string(widths.height_px));
   key.add_bytes({reinterpret_cast<const uint8_t*>(widths.of_class.data()), sizeof widths.of_class});
 }
 
-float widest_half_px(const WidthParams& widths, const LensBlock& lens, int height_px,
-                     const Texture* visible) {
+float widest_half_px(const WidthParams& widths, const LensBlock& lens, const glm::vec2& visible) {
   float width = widths.line.width;
-  if (widths.line.unit == WidthUnit::percent) width *= static_cast<float>(height_px) / 100.0F;
+  if (widths.line.unit == WidthUnit::percent) width *= static_cast<float>(widths.height_px) / 100.0F;
   if (widths.line.unit == WidthUnit::world) {
-    const Image range = visible->read(0, 2);
-    if (range.at(0, 0, 0) > range.at(0, 0, 1)) return 0.0F;
-    width /= lens.is_orthographic != 0 ? lens.pixel_size : lens.pixel_size * range.at(0, 0, 0);
+    if (visible.x > visible.y) return 0.0F;
+    width /= lens.is_orthographic != 0 ? lens.pixel_size : lens.pixel_size * visible.x;
   }
   return 0.5F * width * *std::max_element(widths.of_class.begin(), widths.of_class.end());
 }
 
-Buffer widths_buffer(const WidthParams& widths, int height_px, bool need_distance) {
+float widest_half_px(const WidthParams& widths, const LensBlock& lens, const Texture* visible) {
+  if (widths.line.unit != WidthUnit::world) return widest_half_px(widths, lens, glm::vec2(0.0F));
+  const Image range = visible->read(0, 2);
+  return widest_half_px(widths, lens, glm::vec2(range.at(0, 0, 0), range.at(0, 0, 1)));
+}
+
+Buffer widths_buffer(const WidthParams& widths, bool need_distance) {
   WidthsBlock block{};
   std::copy(widths.of_class.begin(), widths.of_class.end(), block.of_class);
-  block.height_px = static_cast<float>(height_px);
+  block.height_px = static_cast<float>(widths.height_px);
   block.need_distance = need_distance ? 1 : 0;
   return {"widths block", bytes_of(std::span<const WidthsBlock>(&block, 1))};
 }

@@ -15,6 +15,7 @@ namespace inkbench {
 struct WidthParams {
   LineParams line;
   std::array<float, kEdgeClasses> of_class{};  ///< Times `line.width`, from `EdgeClass::object` on.
+  int height_px = 0;                           ///< Of the whole image: widths in percent are of it.
 };
 WidthParams widths_of(const Settings& settings);
 /// Do widths depend on the nearest and farthest distance, or does the most that they can be?
@@ -28,9 +29,11 @@ struct WidthInput {
   void fold(KeyBuilder& key, const FrameState& frame) const;
 };
 
-/// Half the width in px of the widest line there can be. `visible`: as `VisibleRangePass` gives it; read only
-/// for widths in world units, else null. 0 where nothing is visible.
-float widest_half_px(const WidthParams& widths, const LensBlock& lens, int height_px, const Texture* visible);
+/// Half the width in px of the widest line there can be. `visible`: nearest and farthest distance; of no
+/// account but for widths in world units. 0 where nothing is visible.
+float widest_half_px(const WidthParams& widths, const LensBlock& lens, const glm::vec2& visible);
+/// The same by what `VisibleRangePass` gives; null where widths are not in world units.
+float widest_half_px(const WidthParams& widths, const LensBlock& lens, const Texture* visible);
 
 /// widths_block in std140.
 struct WidthsBlock {
@@ -40,6 +43,6 @@ struct WidthsBlock {
   float padding[2];
 };
 inline const UniformBlock kWidthsBlock{"widths_block", sizeof(WidthsBlock)};
-Buffer widths_buffer(const WidthParams& widths, int height_px, bool need_distance);
+Buffer widths_buffer(const WidthParams& widths, bool need_distance);
 
 }  // namespace inkbench

@@ -26,7 +26,7 @@ float farthest_point(float half_px) {
 
 bool lines_are_narrow(const Settings& settings) {
   if (widths_need_range(settings)) return false;
-  return widest_half_px(widths_of(settings), {}, settings.image.height, nullptr) <= kMostHalfPx;
+  return widest_half_px(widths_of(settings), {}, glm::vec2(0.0F)) <= kMostHalfPx;
 }
 
 const PassKind& NarrowCoveragePass::kind() {
@@ -52,12 +52,12 @@ NarrowCoveragePass::NarrowCoveragePass(const GeneratedSources& generated)
 Texture NarrowCoveragePass::run(int samples, const WidthParams& widths, const LensBlock& lens,
                                 const Texture& placed, const Texture& tiles, const GBuffer& gbuffer) const {
   Texture ink("narrow coverage", TextureFormat::rg8, placed.width_px(), placed.height_px());
-  const float farthest = farthest_point(widest_half_px(widths, lens, placed.height_px(), nullptr));
+  const float farthest = farthest_point(widest_half_px(widths, lens, glm::vec2(0.0F)));
   const int reach_px =
       static_cast<int>(farthest + 0.5F);  // a point lies up to half a pixel from its own pixel's centre
   const Buffer count = coverage_buffer({samples, reach_px, farthest, 0});
   const Buffer line = block_buffer(widths.line), lens_uniforms = lens_buffer(lens);
-  const Buffer factors = widths_buffer(widths, placed.height_px(), false);
+  const Buffer factors = widths_buffer(widths, false);
   draw_over_tiles(ink, program_, reach_px, {&placed, &tiles, &gbuffer.normal_and_depth},
                   {&count, &line, &lens_uniforms, &factors});
   return ink;

@@ -25,7 +25,7 @@ Texture SeedsPass::run(const WidthParams& widths, const LensBlock& lens, const T
                        const GBuffer& gbuffer, const Texture* visible) const {
   Texture seeds("seeds", TextureFormat::rgba32f, placed.width_px(), placed.height_px());
   const Buffer line = block_buffer(widths.line), lens_uniforms = lens_buffer(lens);
-  const Buffer factors = widths_buffer(widths, placed.height_px(), visible != nullptr);
+  const Buffer factors = widths_buffer(widths, visible != nullptr);
   const Texture& range = visible != nullptr ? *visible : placed;  // not looked at
   draw_over(seeds, program_, {&placed, &gbuffer.normal_and_depth, &range}, {&line, &lens_uniforms, &factors});
   return seeds;

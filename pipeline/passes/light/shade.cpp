@@ -18,12 +18,14 @@ constexpr BufferInfo kShaded{.name = "shaded",
                              .help = "Light through the ramps, without ink.",
                              .number_key = 6,
                              .channels = 3,
-                             .shown_as = ShownAs::colour};
+                             .shown_as = ShownAs::colour,
+                             .is_supersampled = true};
 constexpr BufferInfo kBlinnPhong{.name = "blinn_phong",
                                  .help = "Plain Blinn-Phong light, whatever the ramps.",
                                  .number_key = 8,
                                  .channels = 3,
-                                 .shown_as = ShownAs::colour};
+                                 .shown_as = ShownAs::colour,
+                                 .is_supersampled = true};
 
 /// All that light depends on besides the G-buffer.
 struct ShadeInput {
@@ -39,12 +41,12 @@ struct ShadeInput {
   }
   ShadeParams get(const FrameState& frame) const {
     const Settings& settings = frame.settings;
-    ShadeParams params{settings.camera, settings.scene, settings.lights, {}, settings.ramp};
+    ShadeParams params{settings.camera, settings.scene, settings.lights, {}, settings.ramp, frame.window};
     for (const ModelParams& model : settings.models) params.materials.push_back(model.material);
     params.ramp.enabled = params.ramp.enabled && with_ramps;
     return params;
   }
-  /// The camera is in the G-buffer's key.
+  /// Camera and window are in the G-buffer's key.
   void fold(KeyBuilder& key, const FrameState& frame) const {
     const Settings& settings = frame.settings;
     key.add(group_text(settings.scene));
@@ -71,10 +73,12 @@ struct ViewBlock {
   int use_ramps;
   int light_count;
   int first_material;
+  glm::vec2 corner_px;
+  glm::vec2 whole_size_px;
 };
 
-ViewBlock make_view_block(const ShadeParams& params, float aspect) {
-  const ViewRays rays = view_rays(params.camera, aspect);
+ViewBlock make_view_block(const ShadeParams& params) {
+  const ViewRays rays = view_rays(params.camera, params.window.whole_aspect());
   ViewBlock block{};
   block.eye = rays.eye;
   block.far = params.camera.far;
@@ -86,6 +90,8 @@ ViewBlock make_view_block(const ShadeParams& params, float aspect) {
   block.ambient = params.scene.ambient;
   block.background = params.scene.background;
   block.use_ramps = params.ramp.enabled ? 1 : 0;
+  block.corner_px = params.window.corner_px();
+  block.whole_size_px = params.window.whole_size_px();
   block.light_count = static_cast<int>(params.lights.size());
   return block;
 }
@@ -157,7 +163,7 @@ Texture ShadePass::run(const ShadeParams& params, const GBuffer& gbuffer) const 
   const int width_px = gbuffer.object_id.width_px();
   const int height_px = gbuffer.object_id.height_px();
   Texture shaded("shaded", TextureFormat::rgba32f, width_px, height_px);
-  ViewBlock block = make_view_block(params, static_cast<float>(width_px) / static_cast<float>(height_px));
+  ViewBlock block = make_view_block(params);
   const Buffer lights = make_list("lights", std::span(params.lights), kMaxLights);
   const Texture ramps = make_ramp_texture(params.ramp);
   const RenderTarget target({&shaded}, nullptr);

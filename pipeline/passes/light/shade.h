@@ -20,6 +20,7 @@ struct ShadeParams {
   std::vector<LightParams> lights;
   std::vector<MaterialParams> materials;  ///< Material i belongs to object id i + 1.
   RampParams ramp;
+  ImageWindow window;
 };
 
 class ShadePass {
