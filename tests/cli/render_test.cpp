@@ -76,9 +76,11 @@ TEST_F(Render, all_buffers_have_the_size_and_channels_they_promise) {
     const std::string_view name = name_of(which);
     const Image png = read_image(file("png/" + std::string(name) + ".png"));
     const Image exr = read_image(file("exr/" + std::string(name) + ".exr"));
-    const bool is_colour = name == "normal" || name == "shaded" || name == "final" || name == "blinn_phong";
+    const bool is_colour =
+        name == "normal" || name == "shaded" || name == "final" || name == "blinn_phong" || name == "albedo";
     EXPECT_EQ(png.channels, 3) << name;
-    EXPECT_EQ(exr.channels, is_colour ? 3 : name == "motion" ? 2 : 1) << name;
+    const bool is_pair = name == "motion" || name == "pair_angles" || name == "pair_gaps";
+    EXPECT_EQ(exr.channels, is_colour ? 3 : is_pair ? 2 : 1) << name;
     for (const Image& image : {png, exr}) {
       EXPECT_EQ(image.width_px, 64) << name;
       EXPECT_EQ(image.height_px, 48) << name;
@@ -104,10 +106,15 @@ TEST_F(Render, picture_is_the_raw_value_times_the_gain) {
   std::vector<std::string> raw = set;
   raw.insert(raw.end(), {"--format", "exr"});
   ASSERT_TRUE(succeeds(render("exr", raw)));
-  const std::map<std::string, float> gains{{"depth", 1.5F}, {"depth_edges", 128.0F}, {"normal_edges", 16.0F}};
+  const std::map<std::string, float> gains{{"depth", 1.5F},
+                                           {"depth_edges", 128.0F},
+                                           {"normal_edges", 16.0F},
+                                           {"edge_strength", 0.5F},
+                                           {"pair_angles", DisplayParams{}.pair_angles_gain}};
   for (const BufferName which : all_buffers()) {
     const std::string_view buffer = name_of(which);
-    if (buffer == "object_id" || buffer == "reference" || buffer == "motion")
+    if (buffer == "object_id" || buffer == "reference" || buffer == "motion" || buffer == "material_id" ||
+        buffer == "edge_class")
       continue;  // colours of their own
     const std::string name(buffer);
     const Picture png = picture("png/" + name + ".png");

@@ -174,6 +174,7 @@ TEST(Supersample, twice_the_samples_halve_the_error_against_a_balls_exact_outlin
   settings.models = {{.name = "ball", .shape = Shape::sphere, .segments = 256, .size = 2.0F}};
   settings.edges.method = EdgeMethod::dihedral;
   settings.line.antialias = false;
+  settings.line.width = 1.5F;
   const double tangent = 1.0 / std::sqrt(24.0);  // of a ball of radius 1, 5 away
   const double radius_px = tangent / pixel_size(settings.camera, 1.0, kSide);
   std::vector<double> errors;

@@ -53,11 +53,11 @@ fs::path unpacked(const std::string& name, const MeshPackage& package) {
   if (error) throw_not_installed(name, package);
   const auto time = fs::last_write_time(package.archive, error).time_since_epoch().count();
   const Key key = KeyBuilder().add(std::to_string(size)).add(std::to_string(time)).key();
-  if (cache_folder().empty()) {
-    throw work_error("debian:" + name, "its package's archive has nowhere to be unpacked",
-                     "set INKBENCH_CACHE to a folder");
-  }
-  const fs::path folder = cache_folder() / "packages" / (std::string(package.name) + "-" + key.text());
+  // Without a cache in the folder for what is temporary, by user, since others may not be trusted there.
+  const fs::path cache = cache_folder().empty()
+                             ? fs::temp_directory_path() / ("inkbench-" + std::to_string(getuid()))
+                             : cache_folder();
+  const fs::path folder = cache / "packages" / (std::string(package.name) + "-" + key.text());
   if (fs::is_directory(folder / package.folder, error)) return folder / package.folder;
   // Under another name until all is there: processes may race, and the last one wins.
   const fs::path unfinished = folder.string() + "." + std::to_string(getpid());
@@ -83,8 +83,7 @@ fs::path find_package_mesh(const std::string& name) {
   const MeshPackage& package = package_of(name, std::string_view(name).substr(0, slash));
   const bool leaves_folder = ("/" + file + "/").find("/../") != std::string::npos || file.starts_with('/');
   std::error_code error;
-  const fs::path folder =
-      package.archive.empty() ? fs::path(package.folder) : unpacked(name, package);
+  const fs::path folder = package.archive.empty() ? fs::path(package.folder) : unpacked(name, package);
   if (!fs::is_directory(folder, error)) throw_not_installed(name, package);
   const fs::path path = folder / file;
   if (file.empty() || leaves_folder || !fs::is_regular_file(path, error)) {
