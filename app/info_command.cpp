@@ -7,11 +7,11 @@
 #include "app/terminal.h"
 #include "app/workbench/recent_studies.h"
 #include "app/workbench/user_folder.h"
+#include "pipeline/base/cache_folder.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/gl/context.h"
 #include "pipeline/mesh/formats/mesh_file.h"
-#include "pipeline/base/cache_folder.h"
 
 namespace inkbench {
 namespace {

@@ -31,6 +31,16 @@ for chart in f1_by_k price; do
   cp "$out/k_against_density/charts/$chart.svg" docs/images/edge_quality/
 done
 
+mkdir -p docs/images/detectors
+for study in detectors transfer turn edge_quality_by_dihedral; do
+  ./run study "studies/$study.toml" --out "$out/$study" >/dev/null
+done
+cp "$out/detectors/grid.png" "$out/detectors/charts/f1.svg" "$out/transfer/charts/transfer.svg" docs/images/detectors/
+cp "$out/turn/grid.png" docs/images/detectors/turn.png
+for chart in three_f recall_by_class; do
+  cp "$out/edge_quality_by_dihedral/charts/$chart.svg" "docs/images/edge_quality/${chart}_dihedral.svg"
+done
+
 # regenerate PAGE COMMAND...: what the command prints follows its marker, to the end of the page.
 regenerate() {
   local page=$1

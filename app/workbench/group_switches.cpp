@@ -31,10 +31,11 @@ bool is_applied(const Settings& settings) {
 constexpr std::array kSwitches{
     GroupSwitch{"edges", "paper", "The paper's method with the paper's numbers.", "the paper's method",
                 is_applied<apply_papers>, apply_papers},
-    GroupSwitch{"edges", "suggested",
-                "The dihedral method with its defaults: an angle in degrees and a gap in pixels, which mean the "
-                "same at any size and in any scene.",
-                "the suggested method", is_applied<apply_suggested>, apply_suggested},
+    GroupSwitch{
+        "edges", "suggested",
+        "The dihedral method with its defaults: an angle in degrees and a gap in pixels, which mean the "
+        "same at any size and in any scene.",
+        "the suggested method", is_applied<apply_suggested>, apply_suggested},
 };
 
 }  // namespace

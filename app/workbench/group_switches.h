@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sets of values that a group of parameters can be switched between with one click: beside the method of finding lines
-// the paper's numbers and the suggested ones. In: settings. Out: settings.
+// Sets of values that a group of parameters can be switched between with one click: beside the method of
+// finding lines the paper's numbers and the suggested ones. In: settings. Out: settings.
 #pragma once
 
 #include <span>

@@ -24,9 +24,9 @@ std::string shape_text(const StudySpec& spec) {
   for (const Axis& axis : spec.axes) sides.push_back(std::to_string(axis.values.size()));
   const ImageParams& image = spec.base.image;
   if (!spec.axes.empty() && !spec.variants.empty()) sides.push_back(std::to_string(spec.variants.size()));
-  const std::string views = spec.views.size() > 1
-                                ? fmt::format(" in {} {}", spec.views.size(), spec.camera_path ? "frames" : "views")
-                                : "";
+  const std::string views = spec.views.size() > 1 ? fmt::format(" in {} {}", spec.views.size(),
+                                                                spec.camera_path ? "frames" : "views")
+                                                  : "";
   return fmt::format("{} cell{}{}{} of {} x {} px", with_commas(static_cast<long long>(count)),
                      count == 1 ? "" : "s", sides.size() > 1 ? " (" + join(sides, " x ") + ")" : "", views,
                      image.width, image.height);

@@ -12,7 +12,8 @@ std::filesystem::path cache_folder() {
   };
   if (std::getenv("INKBENCH_CACHE") != nullptr) return variable("INKBENCH_CACHE");
   // A relative XDG_CACHE_HOME is to be ignored (XDG Base Directory Specification).
-  if (const std::filesystem::path cache = variable("XDG_CACHE_HOME"); cache.is_absolute()) return cache / "inkbench";
+  if (const std::filesystem::path cache = variable("XDG_CACHE_HOME"); cache.is_absolute())
+    return cache / "inkbench";
   if (const std::filesystem::path home = variable("HOME"); !home.empty()) return home / ".cache" / "inkbench";
   return {};
 }

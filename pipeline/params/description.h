@@ -31,8 +31,9 @@ struct FieldText {
   Limits slider{};              ///< The useful range; the hard limits where left out.
   Scale scale = Scale::linear;  ///< Of the slider, and of a sweep that does not say.
   bool is_path = false;  ///< A file's path: relative ones are resolved against the file that sets them.
-  bool (*is_no_path)(std::string_view) = nullptr;  ///< What such a field takes for something else than a path.
-  std::string_view zero_text;   ///< "all": what a slider shows for 0, which stands beyond its largest value.
+  bool (*is_no_path)(std::string_view) =
+      nullptr;                 ///< What such a field takes for something else than a path.
+  std::string_view zero_text;  ///< "all": what a slider shows for 0, which stands beyond its largest value.
   /// "shape = torus", "edges.method = paper": what must be set for it to have an effect (params/condition.h).
   std::string_view matters_when;
 };

@@ -72,7 +72,9 @@ struct Way {
     };
     const double x = surface->x + 0.5 + moved(0), y = surface->y + 0.5 + moved(1);
     const bool is_in_image = x >= 0 && y >= 0 && x < to.depth.width_px && y < to.depth.height_px;
-    if (!is_in_image || !DepthTest(to.depth, to.camera).is_visible({x, y, is_orthographic(to.camera) ? moved(2) : 1.0 / moved(2)})) return std::nullopt;
+    if (!is_in_image || !DepthTest(to.depth, to.camera)
+                             .is_visible({x, y, is_orthographic(to.camera) ? moved(2) : 1.0 / moved(2)}))
+      return std::nullopt;
     const Place start = centre_of(pixel.x, pixel.y);
     const Place place{start.x + parts_of(moved(0)), start.y + parts_of(moved(1))};
     return is_measured(place) ? std::optional(place) : std::nullopt;

@@ -30,7 +30,7 @@ struct FlickerTally {
 
 /// What is seen in a frame.
 struct SeenSurface {
-  const Image& depth;  ///< H x W x 1, distance along the view axis / far; 1 where no model is.
+  const Image& depth;   ///< H x W x 1, distance along the view axis / far; 1 where no model is.
   CameraParams camera;  ///< That saw it.
 };
 

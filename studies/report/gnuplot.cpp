@@ -12,7 +12,7 @@
 namespace inkbench {
 namespace {
 
-constexpr size_t kMostSaid = 400;                    ///< Characters of an error message.
+constexpr size_t kMostSaid = 400;  ///< Characters of an error message.
 
 /// What gnuplot said, on one line: the line that names the script's line, without the quoted script above it.
 std::string said(const std::string& output) {

@@ -196,7 +196,8 @@ TEST_F(AppStudy, sweep_is_saved_as_a_spec_that_the_command_line_runs_unchanged) 
   click("run study");
   EXPECT_FALSE(fs::exists(file("specs"))) << "a mistyped folder is not made";
   fs::create_directories(file("specs"));
-  input({"click", "--repeat", "30", "--delay", "20", "4"});  // the mouse wheel: the page is longer than the window
+  input({"click", "--repeat", "30", "--delay", "20",
+         "4"});  // the mouse wheel: the page is longer than the window
   fill_in("study Name", "mine");
   const fs::path spec = file("specs") / "mine.toml";
   wait_for("the name", [&](const Json& now) { return now["studies"]["form"]["spec"] == spec.string(); });

@@ -8,9 +8,9 @@
 #include <glm/vec2.hpp>
 
 #include "pipeline/passes/ink/flood.h"
-#include "pipeline/passes/placing/line_tiles.h"
 #include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/ink/seeds.h"
+#include "pipeline/passes/placing/line_tiles.h"
 #include "pipeline/passes/placing/placed_lines.h"
 #include "tests/gl/checks.h"
 

@@ -130,7 +130,7 @@ TEST_F(HotReload, broken_included_file_is_named) {
 
 TEST_F(HotReload, uniform_that_nobody_supplies_keeps_the_last_good_program) {
   folder_.edit("ink.frag", "void main() {", "uniform float strength;\nvoid main() {");
-  folder_.edit("ink.frag", "coverage * look", "strength * coverage * look");
+  folder_.edit("ink.frag", "is_line(ink", "is_line(strength * ink");
   const std::string error = input_error_of([&] { pipeline_.reload_changed_shaders(); });
   EXPECT_NE(error.find("'strength'"), std::string::npos) << error;
   EXPECT_TRUE(is_near(draw(), before_, 0.0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Mesh files that Debian packages bring, by package and name: real models that any Debian machine can get. In:
-// "libcgal-demo/fandisk.off". Out: the file's path. What a package packs away is unpacked once into the cache.
+// Mesh files that Debian packages bring, by package and name: real models that any Debian machine can get.
+// In: "libcgal-demo/fandisk.off". Out: the file's path. What a package packs away is unpacked once into the
+// cache.
 #pragma once
 
 #include <filesystem>

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <type_traits>
 
-#include "pipeline/base/error.h"
 #include "pipeline/base/cache_folder.h"
+#include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
 #include "pipeline/mesh/levels/decimation.h"

@@ -29,7 +29,8 @@ void replace_main_mesh(Settings& settings, const std::filesystem::path& mesh) {
   model.smooth_angle = fresh.smooth_angle;
   model.orient = fresh.orient;
   model.two_sided = fresh.two_sided;
-  model.mesh = is_named_mesh(mesh.string()) ? mesh.string() : std::filesystem::absolute(mesh).lexically_normal().string();
+  model.mesh = is_named_mesh(mesh.string()) ? mesh.string()
+                                            : std::filesystem::absolute(mesh).lexically_normal().string();
 }
 
 }  // namespace inkbench

@@ -108,9 +108,7 @@ class DihedralDetector final : public EdgeDetector {
   }
   /// Whether the pixels around are lines depends on their own neighbours.
   int reach_px() const override { return 2; }
-  std::vector<std::string> deciding_parameters() const override {
-    return {"dihedral.angle", "dihedral.gap"};
-  }
+  std::vector<std::string> deciding_parameters() const override { return {"dihedral.angle", "dihedral.gap"}; }
 
   bool has_normal_term(const Settings& settings) const override {
     return settings.dihedral.normals != BendNormals::surface;

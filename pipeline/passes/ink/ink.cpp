@@ -16,19 +16,17 @@ constexpr BufferInfo kFinal{.name = "final",
                             .shown_as = ShownAs::colour,
                             .is_supersampled = true};
 
-/// look_block of shaders/ink.frag in std140.
+/// look_block of shaders/ink_by_class.frag in std140.
 struct LookBlock {
   glm::vec4 of_class[kEdgeClasses];
-  int is_papers;
   int has_colours;
-  int padding[2];
+  int padding[3];
 };
 
 LookBlock block_of(const InkLook& look) {
   LookBlock block{};
   for (size_t i = 0; i < kEdgeClasses; ++i)
     block.of_class[i] = glm::vec4(look.of_class[i].colour, look.of_class[i].opacity);
-  block.is_papers = look.is_papers ? 1 : 0;
   block.has_colours = look.has_colours ? 1 : 0;
   return block;
 }
@@ -65,18 +63,26 @@ const PassKind& InkPass::kind() {
 }
 
 InkPass::InkPass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "ink.frag",
-               {.samplers = {"shaded_map", "drawn_map"},
-                .uniform_blocks = {inkbench::block_of(InkParams::description()),
-                                   {"look_block", sizeof(LookBlock)}}},
-               generated) {}
+    : papers_("full_screen.vert", "ink.frag",
+              {.samplers = {"shaded_map", "drawn_map"},
+               .uniform_blocks = {inkbench::block_of(InkParams::description())}},
+              generated),
+      by_class_("full_screen.vert", "ink_by_class.frag",
+                {.samplers = {"shaded_map", "drawn_map"},
+                 .uniform_blocks = {inkbench::block_of(InkParams::description()),
+                                    {"look_block", sizeof(LookBlock)}}},
+                generated) {}
 
 Texture InkPass::run(const InkLook& look, const Texture& shaded, const Texture& drawn) const {
   Texture final("final", TextureFormat::rgba32f, shaded.width_px(), shaded.height_px());
-  const LookBlock block = block_of(look);
   const Buffer ink = block_buffer(look.ink);
+  if (look.is_papers) {
+    draw_over(final, papers_, {&shaded, &drawn}, {&ink});
+    return final;
+  }
+  const LookBlock block = block_of(look);
   const Buffer classes("look block", bytes_of(std::span<const LookBlock>(&block, 1)));
-  draw_over(final, program_, {&shaded, &drawn}, {&ink, &classes});
+  draw_over(final, by_class_, {&shaded, &drawn}, {&ink, &classes});
   return final;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
@@ -25,11 +26,10 @@ class InkPass {
   explicit InkPass(const GeneratedSources& generated);
   /// In: the shading, what is drawn over it (drawn_ink.h). Out: rgba32f.
   Texture run(const InkLook& look, const Texture& shaded, const Texture& drawn) const;
-  const Program& program() const { return program_; }
-  Program& program() { return program_; }
+  std::vector<Program*> programs() { return {&papers_, &by_class_}; }
 
  private:
-  Program program_;
+  Program papers_, by_class_;  ///< The paper's ink is all or nothing and does not pay for the rest.
 };
 
 }  // namespace inkbench
