@@ -74,7 +74,8 @@ void spread(const LineGraph& graph, const std::vector<Pixel>& starts, Image& dis
     front.push({0.0F, {start.x, start.y}});
   }
   while (!front.empty()) {
-    const auto [length, at] = front.top();
+    const float length = front.top().first;  // no structured binding: clang 14 lets no lambda see one
+    const std::pair<int, int> at = front.top().second;
     front.pop();
     if (length > distance.at(at.first, at.second)) continue;
     graph.visit_neighbours(at.first, at.second, [&](int x, int y, float step) {
