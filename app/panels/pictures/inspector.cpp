@@ -21,7 +21,10 @@ namespace {
 
 std::string values_text(const Image& pixel) {
   if (pixel.channels == 1) return number_text(pixel.at(0, 0), false);
-  return fmt::format("{:.3f} {:.3f} {:.3f}", pixel.at(0, 0, 0), pixel.at(0, 0, 1), pixel.at(0, 0, 2));
+  std::string text;
+  for (int c = 0; c < pixel.channels; ++c)
+    text += fmt::format("{}{:.3f}", c == 0 ? "" : " ", pixel.at(0, 0, c));
+  return text;
 }
 
 /// How the buffer is shown.
