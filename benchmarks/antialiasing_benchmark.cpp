@@ -150,14 +150,6 @@ Image exact_coverage(const Scene& scene, double inside_px) {
   return coverage;
 }
 
-Image coverage_of(const Frame& frame) {
-  const Picture picture = frame.picture(BufferName::coverage);
-  Image coverage(picture.width_px, picture.height_px, 1);
-  for (size_t i = 0; i < coverage.samples.size(); ++i)
-    coverage.samples[i] = static_cast<float>(picture.samples[i * picture.channels]) / 255.0F;
-  return coverage;
-}
-
 double mean_of(const Image& image) {
   double sum = 0;
   for (const float value : image.samples) sum += value;
@@ -200,7 +192,7 @@ void print_scene(Pipeline& pipeline, const Scene& scene, int rounds) {
              "ms", "times");
   for (size_t i = 0; i < kWays.size(); ++i) {
     const Frame frame = pipeline.at(with(scene.settings, kWays[i]));
-    const Image drawn = coverage_of(frame);
+    const Image drawn = drawn_coverage(frame);
     const auto tally = meter.tally(frame).antialiasing;
     std::optional<double> outline;
     if (scene.distance) {

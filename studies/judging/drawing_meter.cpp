@@ -6,9 +6,7 @@
 
 #include "pipeline/passes/ink/coverage.h"
 #include "pipeline/passes/ink/drawn_ink.h"
-#include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/lines/reference.h"
-#include "pipeline/supersample.h"
 #include "studies/judging/cause_finder.h"
 
 namespace inkbench {
@@ -32,18 +30,15 @@ size_t drawn_faces(MeshStore& meshes, const Settings& settings) {
   return meshes.get(settings.models[*model], level_of(settings, *model))->face_count();
 }
 
-namespace {
-
-/// 0 to 1, of pictures at the settings' size whatever they are drawn at.
 Image drawn_coverage(const Frame& frame) {
-  if (!is_supersampled(frame.settings(), BufferName::coverage))
-    return frame.value<LineCoverage>()->read(0, 1);
   const Picture picture = frame.picture(BufferName::coverage);
   Image coverage(picture.width_px, picture.height_px, 1);
   for (size_t i = 0; i < coverage.samples.size(); ++i)
     coverage.samples[i] = static_cast<float>(picture.samples[i * picture.channels]) / 255.0F;
   return coverage;
 }
+
+namespace {
 
 AntialiasingTally antialiasing_of(const Frame& frame) {
   return tally_antialiasing(drawn_coverage(frame), frame.value<AliasedCoverage>()->read(0, 1),

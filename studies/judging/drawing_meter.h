@@ -48,4 +48,8 @@ class DrawingMeter {
 /// The triangles of the main model as drawn; 0 without one.
 size_t drawn_faces(MeshStore& meshes, const Settings& settings);
 
+/// How much of each pixel the drawn picture covers with ink, 0 to 1, H x W x 1: of pictures at the settings'
+/// size whatever they are drawn at. Of a method that places lines. Errors: as `Frame::picture`.
+Image drawn_coverage(const Frame& frame);
+
 }  // namespace inkbench

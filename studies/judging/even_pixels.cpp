@@ -3,28 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/passes/edges/edge_class.h"
+#include "pipeline/passes/edges/operators.h"
 #include "studies/judging/cause_finder.h"
 
 namespace inkbench {
 namespace {
 
-/// What is affine in the image on a plane: 1 / distance, orthographic the distance itself.
+/// `affine_depth` of an image, and planes in it.
 class AffineDepth {
  public:
   AffineDepth(const Image& depth, const CameraParams& camera)
       : depth_(depth),
-        far_(camera.far),
+        lens_(lens_of(camera, depth.height_px)),
         is_ortho_(is_orthographic(camera)),
         delta_(pixel_size(camera, 1.0, depth.height_px)) {}
 
-  bool is_inside(int x, int y) const {
-    return x >= 0 && y >= 0 && x < depth_.width_px && y < depth_.height_px;
-  }
-  bool is_background(int x, int y) const { return depth_.at(x, y) >= 1.0F; }
-  double at(int x, int y) const {
-    const double distance = double{depth_.at(x, y)} * far_;
-    return is_ortho_ ? distance : 1.0 / distance;
-  }
+  bool is_inside(int x, int y) const { return is_inside_image(depth_, x, y); }
+  bool is_background(int x, int y) const { return inkbench::is_background(depth_.at(x, y)); }
+  double at(int x, int y) const { return affine_depth(lens_, depth_.at(x, y)); }
 
   struct Plane {
     double here, a, b;  ///< The value at the pixel, and its change a pixel to the right and down.
@@ -63,7 +60,7 @@ class AffineDepth {
   }
 
   const Image& depth_;
-  double far_;
+  LensBlock lens_;
   bool is_ortho_;
   double delta_;
 };

@@ -131,11 +131,12 @@ GBuffer GBufferPass::run(const CameraParams& camera, std::span<const DrawItem> i
                           item.two_sided ? 1.0F : 0.0F,          is_orthographic(camera) ? 1.0F : 0.0F,
                           model_to_distance(world_to_view, item)};
     const Buffer uniforms("draw block", bytes_of(std::span(&block, 1)));
-    const SurfaceBlock wanted{glm::mat4(glm::mat3(world_to_view)) * normal_to_world, window.middle_px(), {}};
     bind_uniform_blocks({&uniforms});
     std::optional<Buffer> surface;
     if (with_surface) {
-      surface.emplace("surface block", bytes_of(std::span(&wanted, 1)));
+      const SurfaceBlock planes{
+          glm::mat4(glm::mat3(world_to_view)) * normal_to_world, window.middle_px(), {}};
+      surface.emplace("surface block", bytes_of(std::span(&planes, 1)));
       bind_uniform_blocks({&uniforms, &lens, &*surface});
       item.mesh->face_normals().bind(0);
     }
