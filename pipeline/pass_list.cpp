@@ -29,6 +29,7 @@
 #include "pipeline/passes/ink/drawn_lines.h"
 #include "pipeline/passes/ink/flood.h"
 #include "pipeline/passes/ink/ink.h"
+#include "pipeline/passes/ink/line_bits.h"
 #include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/ink/seeds.h"
 #include "pipeline/passes/light/shade.h"
@@ -61,7 +62,7 @@ std::vector<const PassKind*>& list() {
       &CandidatesPass::kind(), &PlacePass::kind(), &PairTilesPass::kind(), &DihedralTilesPass::kind(), &DihedralPlacePass::kind(), &PlacedLines::kind(), &ConnectPass::kind(),
       // how wide they are, and what of each pixel they cover
       &SeedsPass::kind(), &FloodPass::kind(), &CoveragePass::kind(),
-      &LineTilesPass::kind(), &LineTiles::kind(), &NarrowCoveragePass::kind(), &LineCoverage::kind(),
+      &LineTilesPass::kind(), &LineTiles::kind(), &LineBitsPass::kind(), &NarrowCoveragePass::kind(), &LineCoverage::kind(),
       &AliasedCoverage::kind(), &SampledCoverage::kind(),
       &PublishedLookPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
       // light, and ink over it

@@ -13,18 +13,22 @@ vec4 seed_at(ivec2 at) {
   return place == at && seed.a > 0.5 && ivec2(floor(seed.xy)) == at ? seed : vec4(0.0);
 }
 
-vec4 seed_nearby(ivec2 at) { return seed_at(at); }
-
-bool has_seed(ivec2 at) { return seed_at(at).a > 0.5; }
+uint seeds_around(ivec2 of_line, bool is_asked) {
+  uint around = 0u;
+  int rows = is_asked ? 3 : 0;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < 3; ++x) around |= seed_at(of_line + ivec2(x, y) - 1).a > 0.5 ? 1u << (8 * y + x) : 0u;
+  return around;
+}
 
 #include "lib/pieces.glsl"
 
-float coverage_of(vec2 here, vec4 from, int found, int rows) {
-  if (coverage.samples == 0) return exact_share(nearest_foot(here, from, found, rows));
+float coverage_of(vec2 here, vec4 from, uint links) {
+  if (coverage.samples == 0) return exact_share(nearest_foot(here, from, links));
   int inside = 0;
   for (int s = 0; s < coverage.samples * coverage.samples; ++s) {
     vec2 place = (vec2(s % coverage.samples, s / coverage.samples) + 0.5) / float(coverage.samples) - 0.5;
-    Foot foot = nearest_foot(here + place, from, found, rows);
+    Foot foot = nearest_foot(here + place, from, links);
     inside += int(foot.away <= foot.half_width);
   }
   return float(inside) / float(coverage.samples * coverage.samples);

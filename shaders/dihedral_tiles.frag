@@ -1,6 +1,6 @@
 #version 450 core
 // SPDX-License-Identifier: MIT
-// Which tiles of 8 x 8 pixels have a pair that reaches a limit.
+// Which tiles of 8 x 8 pixels have a pixel of a pair that reaches a limit.
 #include "generated/dihedral.glsl"
 #include "generated/edges.glsl"
 

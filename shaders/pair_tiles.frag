@@ -1,6 +1,7 @@
 #version 450 core
 // SPDX-License-Identifier: MIT
-// The largest angle and gap of the pairs in 8 x 8 pixels: whatever the limits are, lines are only where these reach them.
+// The largest angle and gap of the pairs that pixels of a tile of 8 x 8 belong to: whatever the limits are, lines are only
+// where these reach them.
 
 uniform sampler2D pair_map;  // lib/pair_map.glsl
 layout(location = 0) out vec2 largest;  // degrees, pixel sizes
@@ -8,8 +9,9 @@ layout(location = 0) out vec2 largest;  // degrees, pixel sizes
 #include "lib/pair_map.glsl"
 
 void main() {
-  ivec2 low = ivec2(gl_FragCoord.xy) * 8;
-  ivec2 high = min(low + 8, textureSize(pair_map, 0));
+  ivec2 first = ivec2(gl_FragCoord.xy) * 8;
+  ivec2 high = min(first + 8, textureSize(pair_map, 0));
+  ivec2 low = max(first - 1, 0);  // pairs are their left or lower pixel's
   largest = vec2(0.0);
   for (int y = low.y; y < high.y; ++y) {
     for (int x = low.x; x < high.x; ++x) {

@@ -34,6 +34,8 @@ FormatInfo info_of(TextureFormat format) {
       return {GL_RG8, GL_RG, GL_FLOAT, 2};
     case TextureFormat::rgba8:
       return {GL_RGBA8, GL_RGBA, GL_FLOAT, 4};
+    case TextureFormat::rg32ui:
+      return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2};
     case TextureFormat::depth32f:
       return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 1};
   }

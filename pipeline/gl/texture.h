@@ -11,7 +11,7 @@
 
 namespace inkbench {
 
-enum class TextureFormat { r32f, rg32f, rgba32f, rgba16f, r8, rg8, rgba8, depth32f };
+enum class TextureFormat { r32f, rg32f, rgba32f, rgba16f, r8, rg8, rgba8, rg32ui, depth32f };
 
 /// OpenGL's word for the format.
 GLenum internal_format(TextureFormat format);
@@ -43,7 +43,8 @@ class Texture {
 
   /// Fills the texture; the image has its size and its number of channels.
   void upload(const Image& image);
-  /// `channels` channels from `first` on, as floats: 8-bit values come back as n / 255.
+  /// `channels` channels from `first` on, as floats: 8-bit values come back as n / 255. Not of whole numbers,
+  /// which floats cannot hold (rg32ui).
   Image read(int first, int channels) const;
   /// The same of a rectangle inside the texture, from its top left pixel; row 0 on top.
   Image read_part(int x, int y, int width_px, int height_px, int first, int channels) const;

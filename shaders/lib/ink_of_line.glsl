@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The ink of a pixel by its nearest line, unless a surface in front hides that. Needs lib/lens.glsl, lib/pieces.glsl,
-// the sampler normal_and_depth_map and `float coverage_of(vec2 here, vec4 from, int found, int rows)`.
+// the sampler normal_and_depth_map, `uint seeds_around(ivec2 of_line, bool is_asked)`, which of the pixels around have a line,
+// and `float coverage_of(vec2 here, vec4 from, uint links)`.
 
 float depth_at(ivec2 at) {
   return texelFetch(normal_and_depth_map, clamp(at, ivec2(0), textureSize(normal_and_depth_map, 0) - 1), 0).a;
@@ -26,10 +27,7 @@ bool is_in_front(ivec2 at, ivec2 of_line, bool is_asked) {
 // all that they skip.
 vec2 ink_of(ivec2 at, vec4 nearest, bool is_near) {
   ivec2 of_line = ivec2(floor(nearest.xy));
-  int rows = is_near ? 3 : 0;
-  int found = seeds_around(of_line, rows);
-  vec2 here = vec2(at) + 0.5;
-  float covered = coverage_of(here, nearest, found, rows);
+  float covered = coverage_of(vec2(at) + 0.5, nearest, links_of(seeds_around(of_line, is_near)));
   if (!is_near || covered <= 0.0 || is_in_front(at, of_line, covered > 0.0)) return vec2(0.0);
   return vec2(covered, nearest.a / 255.0);
 }

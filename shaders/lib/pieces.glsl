@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A line as the pieces between the points of linked pixels, and the share of a pixel that it covers. A seed is a line's
 // point in pixels from the lower left corner, half the line's width there, and its class, 0 where there is none. Needs
-// `bool has_seed(ivec2 at)` and, of pixels that have one, `vec4 seed_nearby(ivec2 at)`.
+// `vec4 seed_at(ivec2 at)` of pixels that have one. Of the 3 x 3 pixels around one a word has a bit each: bit x + 8 y.
 
 layout(std140) uniform coverage_block {
   int samples;  // a side: in or out at so many by so many points of a pixel; 0: the exact share
-  int reach_px;  // how far from a pixel the pixel of its line's nearest point can be, along a row or column
-  float farthest;  // how far from its centre that point can be
+  int padding;
+  uvec2 within;  // of the 8 x 8 pixels from the third to the left and below on, those whose line can matter (lib/line_bits.glsl)
 } coverage;
 
 // A pixel that a line touches lies no farther beyond the line's half width from the line's nearest point: its corner is 0.71
@@ -38,36 +38,28 @@ Foot foot_on(vec2 here, vec4 from, vec4 to) {
   return Foot(away, direction, mix(from.z, to.z, t));
 }
 
-ivec2 step_of(int i) { return ivec2(i % 3, i / 3) - 1; }
-
-// Which of the eight neighbours of a line's pixel have a line, a bit each.
-int seeds_around(ivec2 of_line, int rows) {
-  int found = 0;
-  for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < 3; ++x) found |= has_seed(of_line + ivec2(x, y) - 1) ? 1 << (3 * y + x) : 0;
-  return found & ~16;
-}
-
-// Diagonal neighbours count where neither pixel beside both has a line.
-bool is_linked(int found, int i) {
-  ivec2 d = step_of(i);
-  bool beside_both = (found & (1 << (4 + d.x) | 1 << (4 + 3 * d.y))) != 0;
-  return (found & 1 << i) != 0 && (d.x * d.y == 0 || !beside_both);
+// Which of the neighbours of a line's pixel it goes on to, of those `around` it that have a line: diagonal ones where neither
+// pixel beside both has one.
+uint links_of(uint around) {
+  uint beside = (around >> 1 & 0x10001u) | (around << 1 & 0x40004u) | (around >> 8 & 0x5u) | (around << 8 & 0x50000u);
+  return around & (0x20502u | 0x50005u & ~beside);
 }
 
 // Of the pieces that begin at the nearest point; of the point itself where there is none.
-Foot nearest_foot(vec2 here, vec4 from, int found, int rows) {
+Foot nearest_foot(vec2 here, vec4 from, uint links) {
+  ivec2 corner = ivec2(floor(from.xy)) - 1;
   Foot nearest = foot_on(here, from, from);
-  bool alone = true;
-  for (int y = 0; y < rows; ++y) {
-    for (int x = 0; x < 3; ++x) {
-      Foot foot = foot_on(here, from, seed_nearby(ivec2(floor(from.xy)) + ivec2(x, y) - 1));
-      bool is_nearer = is_linked(found, 3 * y + x) && (alone || foot.away - foot.half_width < nearest.away - nearest.half_width);
-      alone = alone && !is_nearer;
-      nearest.away = is_nearer ? foot.away : nearest.away;
-      nearest.direction = is_nearer ? foot.direction : nearest.direction;
-      nearest.half_width = is_nearer ? foot.half_width : nearest.half_width;
-    }
+  float least = 1e30;
+  while (links != 0u) {
+    int i = findLSB(links);
+    links &= links - 1u;
+    Foot foot = foot_on(here, from, seed_at(corner + ivec2(i & 7, i >> 3)));
+    float beyond = foot.away - foot.half_width;
+    bool is_nearer = beyond < least;
+    least = is_nearer ? beyond : least;
+    nearest.away = is_nearer ? foot.away : nearest.away;
+    nearest.direction = is_nearer ? foot.direction : nearest.direction;
+    nearest.half_width = is_nearer ? foot.half_width : nearest.half_width;
   }
   return nearest;
 }

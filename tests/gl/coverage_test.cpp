@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "pipeline/passes/ink/flood.h"
+#include "pipeline/passes/ink/line_bits.h"
 #include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/ink/seeds.h"
 #include "pipeline/passes/placing/line_tiles.h"
@@ -56,7 +57,8 @@ Image drawn(const PlacedImage& placed, const WidthParams& widths, int samples = 
   const Texture visible = to_texture(range);
   if (narrow) {
     const Texture tiles = LineTilesPass(generated).run(lines);
-    return NarrowCoveragePass(generated).run(samples, widths, kLens, lines, tiles, gbuffer).read(0, 1);
+    const Texture bits = LineBitsPass(generated).run(widths, lines, tiles);
+    return NarrowCoveragePass(generated).run(samples, widths, kLens, lines, bits, gbuffer).read(0, 1);
   }
   const Texture seeds = SeedsPass(generated).run(widths, kLens, lines, gbuffer, &visible);
   const Texture nearest = FloodPass(generated).run(widths, kLens, seeds, &visible);

@@ -110,9 +110,9 @@ TEST(Keys, placing_width_and_look_are_steps_of_their_own) {
     return passes_run_by(pipeline, [&] { pipeline.at(changed).raw(BufferName::final); });
   };
   EXPECT_EQ(passes([](Settings& s) { s.laplacian.bend *= 2.0F; }),
-            (Names{"laplacian", "candidates", "place", "line_tiles", "narrow_coverage", "ink"}));
+            (Names{"laplacian", "candidates", "place", "line_tiles", "line_bits", "narrow_coverage", "ink"}));
   EXPECT_EQ(passes([](Settings& s) { s.edges.min_length = 5.0F; }),
-            (Names{"connect", "line_tiles", "narrow_coverage", "ink"}));
+            (Names{"connect", "line_tiles", "line_bits", "narrow_coverage", "ink"}));
   EXPECT_EQ(passes([](Settings& s) { s.line.width = 3.0F; }), (Names{"narrow_coverage", "ink"}));
   EXPECT_EQ(passes([](Settings& s) { s.line.width = 5.0F; }), (Names{"seeds", "flood", "coverage", "ink"}));
   EXPECT_EQ(passes([](Settings& s) { s.line.antialias = false; }), (Names{"narrow_coverage", "ink"}));

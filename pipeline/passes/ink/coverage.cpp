@@ -53,7 +53,7 @@ CoveragePass::CoveragePass(const GeneratedSources& generated)
 Texture CoveragePass::run(int samples, const LensBlock& lens, const Texture& nearest,
                           const GBuffer& gbuffer) const {
   Texture ink("coverage", TextureFormat::rg8, nearest.width_px(), nearest.height_px());
-  const Buffer count = coverage_buffer({samples, 0, 0.0F, 0});
+  const Buffer count = coverage_buffer({samples, 0, {}});
   const Buffer lens_uniforms = lens_buffer(lens);
   draw_over(ink, program_, {&nearest, &gbuffer.normal_and_depth}, {&count, &lens_uniforms});
   return ink;

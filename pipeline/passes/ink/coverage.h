@@ -2,6 +2,8 @@
 // How much of each pixel is ink: the share that its nearest line covers.
 #pragma once
 
+#include <cstdint>
+
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
@@ -12,9 +14,8 @@ namespace inkbench {
 /// coverage_block of shaders/lib/pieces.glsl in std140.
 struct CoverageBlock {
   int samples;
-  int reach_px;
-  float farthest;
   int padding;
+  uint32_t within[2];  ///< Of no account where a flood has found the nearest line.
 };
 inline const UniformBlock kCoverageBlock{"coverage_block", sizeof(CoverageBlock)};
 Buffer coverage_buffer(const CoverageBlock& block);

@@ -26,6 +26,15 @@ void WidthInput::fold(KeyBuilder& key, const FrameState& frame) const {
   key.add_bytes({reinterpret_cast<const uint8_t*>(widths.of_class.data()), sizeof widths.of_class});
 }
 
+WidthParams ClassWidthInput::get(const FrameState& frame) const {
+  return {{}, widths_of(frame.settings).of_class, 0};
+}
+
+void ClassWidthInput::fold(KeyBuilder& key, const FrameState& frame) const {
+  const WidthParams widths = get(frame);
+  key.add_bytes({reinterpret_cast<const uint8_t*>(widths.of_class.data()), sizeof widths.of_class});
+}
+
 float widest_half_px(const WidthParams& widths, const LensBlock& lens, const glm::vec2& visible) {
   float width = widths.line.width;
   if (widths.line.unit == WidthUnit::percent) width *= static_cast<float>(widths.height_px) / 100.0F;

@@ -29,6 +29,15 @@ struct WidthInput {
   void fold(KeyBuilder& key, const FrameState& frame) const;
 };
 
+/// What of the widths says which lines are drawn at all: 0 for classes that are not. Run with: const
+/// WidthParams&, of which only `of_class` is set.
+struct ClassWidthInput {
+  ClassWidthInput bind(Flow&) const { return *this; }
+  static std::vector<PassInput> told() { return {{LineParams::description().group}}; }
+  WidthParams get(const FrameState& frame) const;
+  void fold(KeyBuilder& key, const FrameState& frame) const;
+};
+
 /// Half the width in px of the widest line there can be. `visible`: nearest and farthest distance; of no
 /// account but for widths in world units. 0 where nothing is visible.
 float widest_half_px(const WidthParams& widths, const LensBlock& lens, const glm::vec2& visible);

@@ -18,9 +18,9 @@ class NarrowCoveragePass {
   using Value = Texture;
   static const PassKind& kind();
   explicit NarrowCoveragePass(const GeneratedSources& generated);
-  /// In: placed lines and the tiles that have one. Out: as `CoveragePass`.
+  /// In: placed lines and which pixels have one (line_bits.h). Out: as `CoveragePass`.
   Texture run(int samples, const WidthParams& widths, const LensBlock& lens, const Texture& placed,
-              const Texture& tiles, const GBuffer& gbuffer) const;
+              const Texture& bits, const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

@@ -27,8 +27,7 @@ Texture DihedralPlacePass::run(const DihedralParams& params, float weak, const T
                                const Texture& tiles) const {
   Texture placed("placed lines", TextureFormat::rgba8, pairs.width_px(), pairs.height_px());
   const Buffer edges = weak_block(weak), limits = block_buffer(params);
-  // A line's pixel is the pair's own or the neighbour to its right or above.
-  draw_over_tiles(placed, program_, 1, {&pairs, &tiles}, {&edges, &limits});
+  draw_over_tiles(placed, program_, 0, {&pairs, &tiles}, {&edges, &limits});
   return placed;
 }
 

@@ -15,8 +15,8 @@ class PairTilesPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit PairTilesPass(const GeneratedSources& generated);
-  /// In: pairs (edges/pairs.h), H x W. Out: rg32f, a texel for 8 x 8 pixels: their largest angle in degrees
-  /// and gap in pixel sizes.
+  /// In: pairs (edges/pairs.h), H x W. Out: rg32f, a texel for 8 x 8 pixels: the largest angle in degrees
+  /// and gap in pixel sizes of the pairs that they belong to.
   Texture run(const Texture& pairs) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
@@ -31,7 +31,7 @@ class DihedralTilesPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit DihedralTilesPass(const GeneratedSources& generated);
-  /// Out: r8, a texel for 8 x 8 pixels: 1 where a pair in them reaches a limit, else 0 (line_tiles.h).
+  /// Out: r8, a texel for 8 x 8 pixels: 1 where a pair of one of them reaches a limit, else 0 (line_tiles.h).
   Texture run(const DihedralParams& params, float weak, const Texture& largest) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Drawing over those tiles of an image alone that have a line in reach (shaders/tiles.vert). In: a map of
-// tiles. Out: fragments there and nowhere else; the rest of the target is cleared to 0.
+// Drawing over those tiles of an image alone that matter: shaders/tiles.vert takes those that a map says,
+// tiles_near_lines.vert those with a line in reach. Fragments are there and nowhere else; the rest of the
+// target is cleared to 0.
 #pragma once
 
 #include <initializer_list>
@@ -14,7 +15,7 @@ inline int tiles_along(int side_px) {
   return (side_px + 7) / 8;
 }
 
-/// squares_block of shaders/tiles.vert in std140.
+/// squares_block of shaders/lib/tile_point.glsl in std140.
 struct SquaresBlock {
   int width_px, height_px;
   int reach_px;
@@ -22,8 +23,9 @@ struct SquaresBlock {
 };
 inline const UniformBlock kSquaresBlock{"squares_block", sizeof(SquaresBlock)};
 
-/// Draws a program with the vertex shader tiles.vert. `reach_px`: how far from a pixel a line matters to it.
-/// Samplers in the program's order, the tiles' map among them; blocks too, of which the last is added here.
+/// Draws a program with one of those vertex shaders. `reach_px`: how far from a pixel a line matters to it,
+/// of no account to tiles.vert. Samplers in the program's order, the vertex shader's map among them; blocks
+/// too, of which the last is added here.
 void draw_over_tiles(const Texture& target, const Program& program, int reach_px,
                      std::initializer_list<const Texture*> maps, std::initializer_list<const Buffer*> blocks);
 
