@@ -65,6 +65,7 @@ RenderTarget::RenderTarget(std::initializer_list<const Texture*> colours, const 
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_PROGRAM_POINT_SIZE);
   glCullFace(GL_BACK);
   glFrontFace(GL_CCW);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -99,7 +100,6 @@ void draw_rectangle(int left, int bottom, int width_px, int height_px) {
 }
 
 void draw_points(int count) {
-  glEnable(GL_PROGRAM_POINT_SIZE);
   glBindVertexArray(GlContext::current().empty_vertex_array().id());
   glDrawArrays(GL_POINTS, 0, count);
 }

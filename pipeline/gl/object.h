@@ -52,6 +52,12 @@ std::span<const uint8_t> bytes_of(std::span<const T> values) {
   return {reinterpret_cast<const uint8_t*>(values.data()), values.size_bytes()};
 }
 
+/// Of one uniform block, as a struct in std140.
+template <class Block>
+Buffer uniform_buffer(const std::string& label, const Block& block) {
+  return {label, bytes_of(std::span<const Block>(&block, 1))};
+}
+
 class VertexArray {
  public:
   explicit VertexArray(const std::string& label);

@@ -148,7 +148,7 @@ Texture MotionPass::run(const MotionPlaces& places, const GBuffer& gbuffer) cons
   // Each go draws the pixels of its own models, the first one also the background.
   do {
     const ModelMoves moves = model_moves(here, *places.before, block.first_model);
-    const Buffer uniforms("motion block", bytes_of(std::span<const MotionBlock>(&block, 1)));
+    const Buffer uniforms = uniform_buffer("motion block", block);
     const Buffer list("motion models", bytes_of(std::span<const glm::mat4>(moves)));
     bind_uniform_blocks({&uniforms, &list});
     draw_full_screen();

@@ -54,7 +54,7 @@ Texture VisibleRangePass::run(float far, const ImageWindow& window, const GBuffe
   do {
     Texture next("visible range", TextureFormat::rg32f, fewer(from->width_px()), fewer(from->height_px()));
     const RenderTarget target({&next}, nullptr);
-    const Buffer uniforms("range block", bytes_of(std::span<const RangeBlock>(&block, 1)));
+    const Buffer uniforms = uniform_buffer("range block", block);
     program_.use();
     bind_uniform_blocks({&uniforms});
     bind_textures({from});

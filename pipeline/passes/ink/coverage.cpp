@@ -22,7 +22,7 @@ PassKind describe_coverage(std::string_view name, int cost) {
 }  // namespace
 
 Buffer coverage_buffer(const CoverageBlock& block) {
-  return {"coverage block", bytes_of(std::span<const CoverageBlock>(&block, 1))};
+  return uniform_buffer("coverage block", block);
 }
 
 int drawn_samples(const Settings& settings) {

@@ -43,7 +43,7 @@ LinesPass::LinesPass(const GeneratedSources& generated)
 Texture LinesPass::run(bool is_papers, const Texture& drawn) const {
   Texture lines("lines", TextureFormat::rg8, drawn.width_px(), drawn.height_px());
   const LinesBlock block{is_papers ? 1 : 0, {}};
-  const Buffer uniforms("lines block", bytes_of(std::span<const LinesBlock>(&block, 1)));
+  const Buffer uniforms = uniform_buffer("lines block", block);
   draw_over(lines, program_, {&drawn}, {&uniforms});
   return lines;
 }

@@ -47,7 +47,7 @@ Texture FloodPass::run(const WidthParams& widths, const LensBlock& lens, const T
   for (const Texture* from = &seeds; step >= 1; step /= 2, from = &flooded) {
     Texture next("flood", TextureFormat::rgba32f, seeds.width_px(), seeds.height_px());
     const FloodBlock block{step, {}};
-    const Buffer uniforms("flood block", bytes_of(std::span<const FloodBlock>(&block, 1)));
+    const Buffer uniforms = uniform_buffer("flood block", block);
     draw_over(next, program_, {from}, {&uniforms});
     flooded = std::move(next);
   }

@@ -81,7 +81,7 @@ Texture InkPass::run(const InkLook& look, const Texture& shaded, const Texture& 
     return final;
   }
   const LookBlock block = block_of(look);
-  const Buffer classes("look block", bytes_of(std::span<const LookBlock>(&block, 1)));
+  const Buffer classes = uniform_buffer("look block", block);
   draw_over(final, by_class_, {&shaded, &drawn}, {&ink, &classes});
   return final;
 }

@@ -56,7 +56,7 @@ Buffer widths_buffer(const WidthParams& widths, bool need_distance) {
   std::copy(widths.of_class.begin(), widths.of_class.end(), block.of_class);
   block.height_px = static_cast<float>(widths.height_px);
   block.need_distance = need_distance ? 1 : 0;
-  return {"widths block", bytes_of(std::span<const WidthsBlock>(&block, 1))};
+  return uniform_buffer("widths block", block);
 }
 
 }  // namespace inkbench

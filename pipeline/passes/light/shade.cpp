@@ -173,7 +173,7 @@ Texture ShadePass::run(const ShadeParams& params, const GBuffer& gbuffer) const 
   std::span<const MaterialParams> left(params.materials);
   do {
     const auto now = left.first(std::min<size_t>(left.size(), kMaterialsAtOnce));
-    const Buffer view("view block", bytes_of(std::span<const ViewBlock>(&block, 1)));
+    const Buffer view = uniform_buffer("view block", block);
     const Buffer materials = make_list("materials", now, kMaterialsAtOnce);
     bind_uniform_blocks({&view, &lights, &materials});
     draw_full_screen();

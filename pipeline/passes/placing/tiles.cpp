@@ -12,7 +12,7 @@ void draw_over_tiles(const Texture& target, const Program& program, int reach_px
                      std::initializer_list<const Buffer*> blocks) {
   const int columns = tiles_along(target.width_px()), rows = tiles_along(target.height_px());
   const SquaresBlock block{target.width_px(), target.height_px(), reach_px, columns};
-  const Buffer squares("squares block", bytes_of(std::span<const SquaresBlock>(&block, 1)));
+  const Buffer squares = uniform_buffer("squares block", block);
   const RenderTarget drawn({&target}, nullptr);
   constexpr std::array kNothing{0.0F, 0.0F, 0.0F, 0.0F};
   glClearBufferfv(GL_COLOR, 0, kNothing.data());
