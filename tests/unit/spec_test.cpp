@@ -483,8 +483,8 @@ TEST(SpecCells, a_hundred_thousand_are_checked) {
   EXPECT_NO_THROW(check_cells(spec));
 }
 
-TEST(SpecCells, a_million_values_on_an_axis_are_read) {
-  EXPECT_EQ(cell_count(parse(axis("camera.eye.x", "from = 0\nto = 10000\ncount = 1000000"))), 1'000'000U);
+TEST(SpecCells, hundreds_of_thousands_of_values_on_an_axis_are_read) {
+  EXPECT_EQ(cell_count(parse(axis("camera.eye.x", "from = 0\nto = 10000\ncount = 300000"))), 300'000U);
 }
 
 TEST(SpecCells, too_many_are_refused) {
