@@ -44,11 +44,24 @@ label = "k normal"
 values = [0.0125, 0.1]
 """ % HOSTILE
 
+VARIANTS = """
+title = "An axis and variants"
+size = [64, 48]
+[[axis]]
+key = "combine.k_depth"
+values = [0.003, 0.03]
+[[variant]]
+name = "machine"
+[[variant]]
+name = "rabbit"
+"""
+
 
 def write_pages(folder):
-    (folder / "small.toml").write_text(SPEC)
-    study = [INKBENCH, "study", "small.toml", "--out", "small"]
-    subprocess.run(study, cwd=folder, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    for name, spec in (("small", SPEC), ("variants", VARIANTS)):
+        (folder / f"{name}.toml").write_text(spec)
+        study = [INKBENCH, "study", f"{name}.toml", "--out", name]
+        subprocess.run(study, cwd=folder, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     for kind in ("full", "large"):
         subprocess.run([SAMPLE_PAGES, kind, folder / kind], check=True)
 
@@ -443,6 +456,18 @@ class PageTest(unittest.TestCase):
                     return all.filter((e) => e.getBoundingClientRect().right > 376).map((e) => e.className);""")
                 self.assertEqual(outside, [])
                 self.keep(f"phone_viewer_{name}")
+
+    def test_variants_are_called_so_and_their_short_names_stay_on_a_line(self):
+        self.open("variants")
+        self.assertEqual(self.js("return [...document.querySelectorAll('.corner .axis')].map((e) => e.textContent)"),
+                         ["variant", "k_depth"])
+        lines = self.js("""
+            const range = document.createRange();
+            return [...document.querySelectorAll('.grid-table tbody th, .corner .axis')].map((e) => {
+              range.selectNodeContents(e);
+              return range.getClientRects().length;
+            });""")
+        self.assertEqual(lines, [1, 1, 1, 1])
 
     def test_dark_and_light_follow_the_reader(self):
         self.open("small")
