@@ -22,6 +22,7 @@
 #include "pipeline/passes/gbuffer/meshes.h"
 #include "pipeline/passes/gbuffer/motion.h"
 #include "pipeline/passes/gbuffer/quantise.h"
+#include "pipeline/passes/gbuffer/quantise_planes.h"
 #include "pipeline/passes/gbuffer/visible_depth.h"
 #include "pipeline/passes/gbuffer/visible_range.h"
 #include "pipeline/passes/ink/coverage.h"
@@ -49,7 +50,7 @@ std::vector<const PassKind*>& list() {
   // clang-format off
   static std::vector<const PassKind*> passes{
       // scene to maps
-      &MeshesPass::kind(), &GBufferPass::kind(), &QuantisePass::kind(), &VisibleRangePass::kind(),
+      &MeshesPass::kind(), &GBufferPass::kind(), &QuantisePass::kind(), &QuantisePlanesPass::kind(), &VisibleRangePass::kind(),
       &VisibleDepthPass::kind(), &AlbedoPass::kind(),
       // the paper's method
       &GradientPass::kind(), &RangePass::kind(), &CombinePass::kind(), &PaperStrengthPass::kind(),

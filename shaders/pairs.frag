@@ -3,13 +3,11 @@
 // The planes of a pixel's triangle and of its neighbours' to the right and above: the angle between them, and how far
 // apart they are where they come closest between the two pixels' centres. A change of the limits does not compute it again.
 #include "lib/lens.glsl"
+#include "lib/place.glsl"
 #include "lib/surface.glsl"
 #include "lib/pair.glsl"
 
 uniform sampler2D surface_map;
-layout(std140) uniform place_block {
-  vec2 middle_px;  // of the whole image, of which this may be a part
-} place;
 layout(location = 0) out vec4 pairs;  // lib/pair_map.glsl
 
 void main() {

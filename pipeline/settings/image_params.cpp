@@ -19,8 +19,11 @@ const Description& ImageParams::description() {
                                        .limits = {1, 32768},
                                        .slider = {64, 2048}}),
           field<&ImageParams::precision>({.name = "precision",
-                                          .help = "Precision of the normal, depth, edge and combined "
-                                                  "buffers; unorm8 shows what eight bits do."}),
+                                          .help =
+                                              "What lines are found in: 32-bit floats; unorm8: normals, "
+                                              "depths, edges and sums in eight bits; half: normals and "
+                                              "depths in 16-bit floats; depth24: normals in 16-bit floats, "
+                                              "depths as 24-bit window depths between near and far."}),
           field<&ImageParams::supersample>(
               {.name = "supersample",
                .help = "Pictures of colours and of coverage are drawn so many times as wide and as high and "

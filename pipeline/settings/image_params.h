@@ -9,12 +9,13 @@
 
 namespace inkbench {
 
-/// Precision of the normal, depth, edge and combined buffers: 32-bit float, or eight bits as in an ordinary
-/// framebuffer.
-enum class Precision { float32, unorm8 };
+/// Precision of the buffers that lines are found in: 32-bit floats; eight bits as in an ordinary framebuffer,
+/// edge and combined buffers too; normals and depths alone in 16-bit floats; or normals in 16-bit floats and
+/// depths in 24 bits between the camera's planes, as games keep them.
+enum class Precision { float32, unorm8, half, depth24 };
 template <>
 struct ChoiceNames<Precision> {
-  static constexpr std::array<std::string_view, 2> names{"float", "unorm8"};
+  static constexpr std::array<std::string_view, 4> names{"float", "unorm8", "half", "depth24"};
 };
 
 struct ImageParams {

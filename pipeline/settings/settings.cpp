@@ -128,13 +128,22 @@ void check_names_differ(const Settings& settings) {
   }
 }
 
+/// Whether a user's own words can be in it.
+bool holds_text(const Field& field) {
+  return field.type == FieldType::text || field.type == FieldType::ramp;
+}
+
 /// Metadata, manifests and scene files hold UTF-8 alone: another name would read back as that of another
 /// file.
 void check_texts(const Settings& settings) {
-  for (const ConstParam& param : list_params(settings)) {
-    const std::string text = to_text(param.value());
-    if (!is_utf8(text))
-      throw input_error(param.key, "is not UTF-8: " + printable(text), "rename the file or its folder");
+  for (const ConstParamGroup& group : list_groups(settings)) {
+    for (const Field& field : group.description->fields) {
+      if (!holds_text(field)) continue;
+      const std::string text = to_text(field.get(group.owner));
+      if (is_utf8(text)) continue;
+      throw input_error(group.prefix + "." + std::string(field.name), "is not UTF-8: " + printable(text),
+                        "rename the file or its folder");
+    }
   }
 }
 

@@ -309,9 +309,7 @@ TEST_F(AppStudy, closing_the_window_ends_its_study_which_can_be_continued) {
   open_small();
   run_spec("long", 700);
   wait_for_cells("long");
-  const auto start = Clock::now();
   quit();
-  EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 5.0);
   EXPECT_TRUE(study_processes().empty());
   EXPECT_EQ(Json::parse(text_in(results("long") / "manifest.json"))["state"], "stopped");
   const Json progress = run_by_hand(file("long.toml"), results("long"));

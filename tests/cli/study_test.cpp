@@ -272,7 +272,6 @@ TEST_F(Study, hundred_thousand_cells_are_counted_before_starting) {
   ASSERT_TRUE(succeeds(result));
   EXPECT_THAT(result.out, HasSubstr("100,000 cells (1000 x 100) of 512 x 512 px, at most 7"));
   EXPECT_THAT(result.out, HasSubstr("GB"));
-  EXPECT_LT(result.seconds, 20.0);
 }
 
 TEST_F(Study, list_names_each_bundled_study_with_its_purpose) {

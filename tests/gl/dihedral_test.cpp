@@ -94,6 +94,36 @@ TEST(Dihedral, a_plane_at_any_slant_has_no_line) {
   }
 }
 
+/// The largest angle and gap of a slanted plane's pairs away from the image's border.
+std::pair<float, float> largest_of_slanted_plane(Precision precision) {
+  Settings settings = straight_view();
+  settings.image.precision = precision;
+  settings.models = {{.name = "plane", .shape = Shape::plane, .segments = 7, .size = 40.0F}};
+  settings.models[0].rotation = {60.0F, 20.0F, 0.0F};
+  Pipeline pipeline;
+  const Image angles = pipeline.at(settings).raw(BufferName::pair_angles);
+  const Image gaps = pipeline.at(settings).raw(BufferName::pair_gaps);
+  std::pair<float, float> largest;
+  for (int y = kViewPx / 4; y < kViewPx * 3 / 4; ++y) {
+    for (int x = kViewPx / 4; x < kViewPx * 3 / 4; ++x) {
+      largest.first = std::max(largest.first, std::abs(angles.at(x, y)));
+      largest.second = std::max(largest.second, std::abs(gaps.at(x, y)));
+    }
+  }
+  return largest;
+}
+
+TEST(Dihedral, sixteen_bit_depths_part_a_plane_and_24_bits_do_not) {
+  constexpr float kMeeting = 1.0F / 256.0F;
+  EXPECT_LE(largest_of_slanted_plane(Precision::float32).second, kMeeting);
+  EXPECT_GT(largest_of_slanted_plane(Precision::half).second, 5 * kMeeting);
+  EXPECT_LE(largest_of_slanted_plane(Precision::depth24).second, kMeeting);
+}
+
+TEST(Dihedral, sixteen_bit_normals_keep_a_plane_flat) {
+  EXPECT_LT(largest_of_slanted_plane(Precision::half).first, 0.1F);
+}
+
 TEST(Dihedral, a_crease_fires_just_above_the_limit_and_not_just_below) {
   for (const double angle : {20.0, 40.0, 75.0}) {
     TempFolder folder;

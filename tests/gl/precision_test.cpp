@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What eight bits do to the buffers, and that the same settings give the same bits.
+// What smaller formats do to the buffers, and that the same settings give the same bits.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
@@ -38,9 +39,30 @@ Buffers draw(const Settings& settings) {
           pipeline.at(settings).raw(BufferName::combined_edges)};
 }
 
-Settings eight_bits(Settings settings) {
-  settings.image.precision = Precision::unorm8;
+Settings stored_as(Precision precision, Settings settings) {
+  settings.image.precision = precision;
   return settings;
+}
+
+Settings eight_bits(const Settings& settings) {
+  return stored_as(Precision::unorm8, settings);
+}
+
+/// Whether `stored` is a 16-bit float, but for a float's own last digits, and the nearest to `value`.
+testing::AssertionResult is_half(float stored, float value) {
+  const float half = glm::unpackHalf1x16(glm::packHalf1x16(stored));
+  if (std::abs(stored - half) > 1e-7) return testing::AssertionFailure() << stored << " is no 16-bit float";
+  if (std::abs(stored - value) > std::abs(value) / 2048 + 1e-7)
+    return testing::AssertionFailure() << stored << " for " << value;
+  return testing::AssertionSuccess();
+}
+
+/// Level of 24 bits between the planes, with its fraction.
+double window_level(double depth, const CameraParams& camera) {
+  const double near = camera.near, far = camera.far, z = depth * far;
+  const double window =
+      is_orthographic(camera) ? (z - near) / (far - near) : far * (z - near) / (z * (far - near));
+  return window * 16777215.0;
 }
 
 TEST(Precision, eight_bits_round_the_normal_and_depth_maps) {
@@ -66,6 +88,38 @@ TEST(Precision, eight_bits_draw_lines_that_float_does_not) {
   const Buffers exact = draw(paper_scene(160, 120));
   const Buffers stored = draw(eight_bits(paper_scene(160, 120)));
   EXPECT_GT(largest_difference(stored.combined_edges, exact.combined_edges), 0.5);
+}
+
+TEST(Precision, half_rounds_normals_and_depths_to_16_bit_floats) {
+  const Buffers exact = draw(analytic_scene());
+  const Buffers stored = draw(stored_as(Precision::half, analytic_scene()));
+  for (size_t i = 0; i < exact.depth.samples.size(); ++i)
+    ASSERT_TRUE(is_half(stored.depth.samples[i], exact.depth.samples[i])) << i;
+  for (size_t i = 0; i < exact.normal.samples.size(); ++i)
+    ASSERT_TRUE(is_half(2 * stored.normal.samples[i] - 1, 2 * exact.normal.samples[i] - 1)) << i;
+}
+
+TEST(Precision, depth24_rounds_depths_to_levels_between_the_planes) {
+  for (const CameraProjection projection : {CameraProjection::perspective, CameraProjection::orthographic}) {
+    Settings settings = analytic_scene();
+    settings.camera.projection = projection;
+    const Buffers exact = draw(settings);
+    const Buffers stored = draw(stored_as(Precision::depth24, settings));
+    for (size_t i = 0; i < exact.depth.samples.size(); ++i) {
+      if (exact.depth.samples[i] == 1.0F) continue;
+      const double level = window_level(stored.depth.samples[i], settings.camera);
+      // A float has as many digits as there are levels.
+      ASSERT_NEAR(level, window_level(exact.depth.samples[i], settings.camera), 1.5) << i;
+      if (projection == CameraProjection::perspective) {
+        ASSERT_NEAR(level, std::round(level), 0.2) << i;
+      }
+    }
+  }
+}
+
+TEST(Precision, depth24_stores_normals_as_half_does) {
+  EXPECT_TRUE(draw(stored_as(Precision::depth24, analytic_scene())).normal ==
+              draw(stored_as(Precision::half, analytic_scene())).normal);
 }
 
 TEST(Precision, shading_does_not_depend_on_it) {

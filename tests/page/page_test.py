@@ -44,11 +44,24 @@ label = "k normal"
 values = [0.0125, 0.1]
 """ % HOSTILE
 
+VARIANTS = """
+title = "An axis and variants"
+size = [64, 48]
+[[axis]]
+key = "combine.k_depth"
+values = [0.003, 0.03]
+[[variant]]
+name = "machine"
+[[variant]]
+name = "rabbit"
+"""
+
 
 def write_pages(folder):
-    (folder / "small.toml").write_text(SPEC)
-    study = [INKBENCH, "study", "small.toml", "--out", "small"]
-    subprocess.run(study, cwd=folder, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    for name, spec in (("small", SPEC), ("variants", VARIANTS)):
+        (folder / f"{name}.toml").write_text(spec)
+        study = [INKBENCH, "study", f"{name}.toml", "--out", name]
+        subprocess.run(study, cwd=folder, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     for kind in ("full", "large"):
         subprocess.run([SAMPLE_PAGES, kind, folder / kind], check=True)
 
@@ -444,6 +457,18 @@ class PageTest(unittest.TestCase):
                 self.assertEqual(outside, [])
                 self.keep(f"phone_viewer_{name}")
 
+    def test_variants_are_called_so_and_their_short_names_stay_on_a_line(self):
+        self.open("variants")
+        self.assertEqual(self.js("return [...document.querySelectorAll('.corner .axis')].map((e) => e.textContent)"),
+                         ["variant", "k_depth"])
+        lines = self.js("""
+            const range = document.createRange();
+            return [...document.querySelectorAll('.grid-table tbody th, .corner .axis')].map((e) => {
+              range.selectNodeContents(e);
+              return range.getClientRects().length;
+            });""")
+        self.assertEqual(lines, [1, 1, 1, 1])
+
     def test_dark_and_light_follow_the_reader(self):
         self.open("small")
         colours = {}
@@ -457,11 +482,9 @@ class PageTest(unittest.TestCase):
         self.assertGreater(brightness["light"][0] - brightness["light"][1], 500)
         self.assertGreater(brightness["dark"][1] - brightness["dark"][0], 500)
 
-    def test_ten_thousand_cells_stay_quick(self):
-        begin = time.monotonic()
+    def test_of_ten_thousand_cells_those_in_sight_are_laid_out(self):
         self.open("large")
         self.wait(lambda: self.js("return document.querySelectorAll('.cell img').length > 0"))
-        self.assertLess(time.monotonic() - begin, 8)
         self.assertLess(self.js("return document.querySelectorAll('*').length"), 20_000)
         self.assertEqual(self.js("return document.querySelector('.data').getAttribute('aria-rowcount')"), "10001")
         self.js("document.getElementById('table-box').scrollTop = 1e9")

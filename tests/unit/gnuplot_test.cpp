@@ -209,10 +209,8 @@ TEST(Gnuplot, where_it_is_missing_its_package_is_named) {
 }
 
 TEST(Gnuplot, one_that_hangs_is_ended_with_all_that_it_started) {
-  const auto start = std::chrono::steady_clock::now();
-  EXPECT_THAT(FakeGnuplot("sleep 100 & wait").error(300ms), HasSubstr("gnuplot did not end within 0.3 s"));
-  EXPECT_THAT(FakeGnuplot("exec >&- 2>&-; sleep 100").error(300ms), HasSubstr("did not end within 0.3 s"));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, 20s);
+  EXPECT_THAT(FakeGnuplot("sleep 3600 & wait").error(300ms), HasSubstr("gnuplot did not end within 0.3 s"));
+  EXPECT_THAT(FakeGnuplot("exec >&- 2>&-; sleep 3600").error(300ms), HasSubstr("did not end within 0.3 s"));
 }
 
 TEST(Gnuplot, one_that_dies_or_floods_is_told) {

@@ -63,20 +63,20 @@ bool is_spare(int column) {
   return column == 3 || column == 4 || column == 6;
 }
 
-void head(bool narrow) {
-  constexpr std::array<std::pair<const char*, float>, 7> kColumns{{{"pass", 84},
-                                                                   {"last change", 84},
-                                                                   {"ms", 42},
-                                                                   {"mean", 42},
-                                                                   {"##bar", 0},
-                                                                   {"runs", 40},
-                                                                   {"reuses", 52}}};
-  for (size_t i = 0; i < kColumns.size(); ++i) {
-    const auto& [name, width] = kColumns[i];
+/// `names_width` is that of the widest pass's name.
+void head(bool narrow, float names_width) {
+  const std::array<std::pair<const char*, float>, 7> columns{{{"pass", narrow ? scaled(84) : names_width},
+                                                              {"last change", scaled(84)},
+                                                              {"ms", scaled(42)},
+                                                              {"mean", scaled(42)},
+                                                              {"##bar", 0},
+                                                              {"runs", scaled(40)},
+                                                              {"reuses", scaled(52)}}};
+  for (size_t i = 0; i < columns.size(); ++i) {
+    const auto& [name, width] = columns[i];
     const bool stretches = width == 0.0F;
-    ImGui::TableSetupColumn(name,
-                            stretches ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed,
-                            scaled(width));
+    ImGui::TableSetupColumn(
+        name, stretches ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed, width);
     const int column = static_cast<int>(i);
     ImGui::TableSetColumnEnabled(column, !narrow || !is_spare(column));
   }
@@ -102,13 +102,17 @@ void draw_timings(const Pipeline& pipeline, const PassTimer& passes, const PassT
   for (const std::string& name : pipeline.pass_names()) rows.emplace_back(name, passes.time_of(name));
   for (const char* name : {"tiles", "window"}) rows.emplace_back(name, window.time_of(name));
   double longest = 0.0;
-  for (const auto& [name, time] : rows) longest = std::max(longest, time.last_ms);
+  float names_width = 0.0F;
+  for (const auto& [name, time] : rows) {
+    longest = std::max(longest, time.last_ms);
+    names_width = std::max(names_width, ImGui::CalcTextSize(name.c_str()).x);
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(scaled(5), scaled(1)));
   const bool narrow = ImGui::GetContentRegionAvail().x < scaled(430);
   const bool open = ImGui::BeginTable("timings", 7, ImGuiTableFlags_ScrollY | ImGuiTableFlags_Hideable);
   ImGui::PopStyleVar();
   if (!open) return;
-  head(narrow);
+  head(narrow, names_width);
   for (const auto& [name, time] : rows) {
     const auto count = counts.find(name);
     pass_row(name, time, count == counts.end() ? nullptr : &count->second, longest);

@@ -90,8 +90,9 @@ fs::path find_package_mesh(const std::string& name) {
     std::vector<std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
       files.push_back(entry.path().lexically_relative(folder).string());
+    const std::string near = suggest(file, files), where = "its meshes lie in " + folder.string();
     throw input_error("debian:" + name, "the package brings no such file",
-                      suggest(file, files) + " (its meshes lie in " + folder.string() + ")");
+                      near.empty() ? where : near + " (" + where + ")");
   }
   return path;
 }

@@ -31,7 +31,7 @@ CombinePass::CombinePass(const GeneratedSources& generated)
                generated) {}
 
 Texture CombinePass::run(const CombineParams& params, const Texture& range, Precision precision) const {
-  const TextureFormat format = precision == Precision::float32 ? TextureFormat::r32f : TextureFormat::r8;
+  const TextureFormat format = precision == Precision::unorm8 ? TextureFormat::r8 : TextureFormat::r32f;
   Texture edges("combined edges", format, range.width_px(), range.height_px());
   const RenderTarget target({&edges}, nullptr);
   const Buffer uniforms("combine block", pack_std140(CombineParams::description(), &params));

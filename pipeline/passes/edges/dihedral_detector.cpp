@@ -42,7 +42,8 @@ ExplainedTerm term_of(const char* name, const char* title, const Sides& sides, d
   ExplainedTerm term{.name = name, .title = title, .limit = limit, .unit = unit};
   for (const PixelSide& side : sides) {
     const double measured = side.*value;
-    term.around[static_cast<size_t>((side.to.dy + 1) * 3 + side.to.dx + 1)] = static_cast<float>(measured);
+    const int place = (side.to.dy + 1) * 3 + side.to.dx + 1;
+    term.around[static_cast<size_t>(place)] = static_cast<float>(measured);
     term.inputs.push_back({side.is_own ? "this pixel's" : "the neighbour's", measured, unit,
                            ExplainedInput::Role::plain, side.to});
     if (side.is_own) term.value = std::max(term.value, measured);

@@ -34,7 +34,7 @@ GradientPass::GradientPass(const GeneratedSources& generated)
     : program_("full_screen.vert", "gradient.frag", {.samplers = {"normal_and_depth_map"}}, generated) {}
 
 Texture GradientPass::run(const Texture& normal_and_depth, Precision precision) const {
-  const TextureFormat format = precision == Precision::float32 ? TextureFormat::rg32f : TextureFormat::rg8;
+  const TextureFormat format = precision == Precision::unorm8 ? TextureFormat::rg8 : TextureFormat::rg32f;
   Texture gradient("gradient", format, normal_and_depth.width_px(), normal_and_depth.height_px());
   const RenderTarget target({&gradient}, nullptr);
   program_.use();

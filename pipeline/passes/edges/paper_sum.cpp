@@ -72,7 +72,7 @@ float angle_between(const glm::vec3& a, const glm::vec3& b) {
 }
 
 float stored(float edge, Precision precision) {
-  return precision == Precision::float32 ? edge : std::round(edge * 255.0F) / 255.0F;
+  return precision == Precision::unorm8 ? std::round(edge * 255.0F) / 255.0F : edge;
 }
 
 std::string number(float value) {

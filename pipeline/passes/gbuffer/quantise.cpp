@@ -26,24 +26,28 @@ constinit const BufferName BufferName::depth{kDepth};
 
 const PassKind& QuantisePass::kind() {
   static const PassKind kKind = describe_pass<QuantisePass>(
-      "quantise", 3, {shows(BufferName::normal), shows(BufferName::depth)}, value_of<GBufferPass>());
+      "quantise", 3, {shows(BufferName::normal), shows(BufferName::depth)}, value_of<GBufferPass>(),
+      part<&Settings::image, &ImageParams::precision>(), group<&Settings::camera>());
   return kKind;
 }
 
 QuantisePass::QuantisePass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "quantise.frag", {.samplers = {"normal_and_depth_map"}}, generated) {}
+    : program_("full_screen.vert", "quantise.frag",
+               {.samplers = {"normal_and_depth_map"}, .uniform_blocks = {kStoredBlock}}, generated) {}
 
 bool QuantisePass::hands_on(const Settings& settings) {
   return settings.image.precision == Precision::float32;
 }
 
-Texture QuantisePass::run(const GBuffer& gbuffer) const {
-  const Texture& normal_and_depth = gbuffer.normal_and_depth;
-  Texture result("normal and depth, 8 bits", TextureFormat::rgba8, normal_and_depth.width_px(),
-                 normal_and_depth.height_px());
+Texture QuantisePass::run(const GBuffer& gbuffer, Precision precision, const CameraParams& camera) const {
+  const Texture& exact = gbuffer.normal_and_depth;
+  const TextureFormat format = precision == Precision::unorm8 ? TextureFormat::rgba8 : TextureFormat::rgba32f;
+  Texture result("stored normal and depth", format, exact.width_px(), exact.height_px());
+  const Buffer stored = stored_buffer(camera, precision);
   const RenderTarget target({&result}, nullptr);
   program_.use();
-  bind_textures({&normal_and_depth});
+  bind_uniform_blocks({&stored});
+  bind_textures({&exact});
   draw_full_screen();
   return result;
 }

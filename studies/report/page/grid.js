@@ -34,7 +34,8 @@ function caption(index) {
   if (!study.axes.length) return cells[index].name;
   const place = placeOf(index);
   const axis = rowCount > 1 ? rowAxis : columnAxis;
-  return `${axis.label} = ${axis.values[rowCount > 1 ? place.row : place.column]}`;
+  const value = axis.values[rowCount > 1 ? place.row : place.column];
+  return axis.label ? `${axis.label} = ${value}` : value;
 }
 
 const aspect = study.size[1] / study.size[0];
@@ -136,12 +137,16 @@ function fillLine(line) {
   fill();
 }
 
+/** Variants have names and no label. */
+const axisName = (axis) => axis.label || "variant";
+
 /** Sizes of the table in px: as large as fits, at least what can still be told apart. */
 function planTable() {
   const isNarrow = gridBox.clientWidth < 600;
   const count = shownSlots().length;
-  const longest = Math.max(...rowAxis.values.map((value) => value.length), Math.min(10, rowAxis.label.length + 2));
-  const head = Math.min(isNarrow ? 88 : 128, Math.max(44, 16 + 8 * longest));
+  const corner = [rowAxis, columnAxis].map((axis) => Math.min(10, axisName(axis).length + 2));
+  const longest = Math.max(...rowAxis.values.map((value) => value.length), ...corner);
+  const head = Math.min(isNarrow ? 88 : 128, Math.max(44, 22 + 8 * longest));
   const room = gridBox.clientWidth - head - 2;
   const fitting = Math.floor((room / columnCount - kGap - 2 * (count - 1)) / count);
   const picture = gridState.width || Math.min(240, Math.max(isNarrow ? 88 : 56, fitting));
@@ -150,8 +155,8 @@ function planTable() {
 }
 
 function makeTableHead() {
-  const down = make("span", {class: "axis down"}, rowAxis.label);
-  const right = make("span", {class: "axis right"}, columnAxis.label);
+  const [down, right] = [[rowAxis, "down"], [columnAxis, "right"]].map(
+    ([axis, way]) => make("span", {class: `axis ${way}`}, axisName(axis)));
   const values = columnAxis.values.map((value) => make("th", {scope: "col"}, value));
   return make("thead", {}, make("tr", {}, make("th", {class: "corner", scope: "col"}, down, right), ...values));
 }
@@ -180,7 +185,7 @@ function drawTable() {
     make("col", {span: columnCount, style: `width:${plan.column}px`}));
   const attributes = {
     class: "grid-table",
-    "aria-label": `${columnAxis.label} from left to right, ${rowAxis.label} from top to bottom`,
+    "aria-label": `${axisName(columnAxis)} from left to right, ${axisName(rowAxis)} from top to bottom`,
     style: `--picture:${plan.picture}px;--aspect:${aspect};width:${plan.whole}px`,
   };
   gridBox.replaceChildren(make("table", attributes, widths, makeTableHead(), make("tbody", {}, ...lines)));
