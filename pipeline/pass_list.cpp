@@ -13,7 +13,6 @@
 #include "pipeline/passes/edges/mitchell.h"
 #include "pipeline/passes/edges/pairs.h"
 #include "pipeline/passes/edges/paper_strength.h"
-#include "pipeline/passes/edges/published_look.h"
 #include "pipeline/passes/edges/range.h"
 #include "pipeline/passes/edges/saito_takahashi.h"
 #include "pipeline/passes/edges/shaded_pairs.h"
@@ -32,6 +31,7 @@
 #include "pipeline/passes/ink/ink.h"
 #include "pipeline/passes/ink/line_bits.h"
 #include "pipeline/passes/ink/narrow_coverage.h"
+#include "pipeline/passes/ink/published_look.h"
 #include "pipeline/passes/ink/seeds.h"
 #include "pipeline/passes/light/shade.h"
 #include "pipeline/passes/lines/reference.h"
@@ -39,6 +39,8 @@
 #include "pipeline/passes/placing/connect.h"
 #include "pipeline/passes/placing/dihedral_place.h"
 #include "pipeline/passes/placing/dihedral_tiles.h"
+#include "pipeline/passes/placing/edge_classes.h"
+#include "pipeline/passes/placing/edge_tiles.h"
 #include "pipeline/passes/placing/line_tiles.h"
 #include "pipeline/passes/placing/place.h"
 #include "pipeline/passes/placing/placed_lines.h"
@@ -58,7 +60,7 @@ std::vector<const PassKind*>& list() {
       &DecaudinGradientPass::kind(), &DecaudinPass::kind(), &SaitoTakahashiPass::kind(), &MitchellPass::kind(),
       &LaplacianPass::kind(),
       &PairsPass::kind(), &ShadedPairsPass::kind(), &DihedralPass::kind(),
-      &FoundEdges::kind(),
+      &FoundEdges::kind(), &EdgeTilesPass::kind(), &EdgeClassPass::kind(),
       // where lines run
       &CandidatesPass::kind(), &PlacePass::kind(), &PairTilesPass::kind(), &DihedralTilesPass::kind(), &DihedralPlacePass::kind(), &PlacedLines::kind(), &ConnectPass::kind(),
       // how wide they are, and what of each pixel they cover

@@ -4,7 +4,7 @@
 #include "generated/edges.glsl"
 #include "lib/lens.glsl"
 
-uniform sampler2D detection_map;  // strength, class
+uniform sampler2D detection_map;  // strength
 uniform sampler2D normal_and_depth_map;
 layout(location = 0) out float candidate;  // 0 or 1
 

@@ -6,11 +6,8 @@
 #include "generated/decaudin.glsl"
 
 uniform sampler2D gradient_map;  // of the normal's x, y and z, of the depth
-uniform sampler2D normal_and_depth_map;
-uniform sampler2D object_id_map;
 layout(location = 0) out vec2 edge;  // strength, class
 
-#include "lib/lens.glsl"
 #include "lib/edge_class.glsl"
 
 void main() {
@@ -31,5 +28,5 @@ void main() {
   vec4 ratio = (largest - smallest) / vec4(vec3(decaudin.k_normal), decaudin.k_depth);
   float most = max(max(ratio.x, ratio.y), max(ratio.z, ratio.w));
   float strength = 2.0 * most * most;
-  edge = vec2(strength, edge_class(at, strength, edges.weak, 2));
+  edge = vec2(strength, strength >= edges.weak ? class_of_surfaces(2) : class_none);
 }

@@ -5,7 +5,6 @@
 #include "generated/laplacian.glsl"
 
 uniform sampler2D normal_and_depth_map;
-uniform sampler2D object_id_map;
 layout(location = 0) out vec2 edge;  // strength, class
 
 #include "lib/lens.glsl"
@@ -15,7 +14,7 @@ layout(location = 0) out vec2 edge;  // strength, class
 const float endless = 1000.0;
 
 float slope_change(ivec2 at, ivec2 towards, float here) {
-  ivec2 size = textureSize(object_id_map, 0);
+  ivec2 size = textureSize(normal_and_depth_map, 0);
   ivec2 before = at - towards, after = at + towards;
   if (any(lessThan(min(before, after), ivec2(0))) || any(greaterThanEqual(max(before, after), size))) return 0.0;
   float a = texelFetch(normal_and_depth_map, before, 0).a, b = texelFetch(normal_and_depth_map, after, 0).a;
@@ -30,5 +29,5 @@ void main() {
   float largest = max(max(slope_change(at, ivec2(1, 0), here), slope_change(at, ivec2(0, 1), here)),
                       max(slope_change(at, ivec2(1, 1), here), slope_change(at, ivec2(1, -1), here)));
   float strength = is_background(own) ? 0.0 : largest / laplacian.bend;
-  edge = vec2(strength, edge_class(at, strength, edges.weak, 1));
+  edge = vec2(strength, strength >= edges.weak ? class_of_surfaces(1) : class_none);
 }

@@ -10,7 +10,7 @@ uniform sampler2D object_id_map;
 uniform sampler2D albedo_map;  // alpha: 0 where no model is
 layout(location = 0) out vec2 edge;  // strength, class
 
-#include "lib/lens.glsl"
+#include "lib/background.glsl"
 #include "lib/edge_class.glsl"
 
 const ivec2 neighbours[4] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
@@ -26,7 +26,7 @@ void main() {
   float tangent2 = 0.0, depth = 0.0, colour = 0.0;  // of half the angle, squared
   bool other_id = false;
   for (int i = 0; i < 4; ++i) {
-    ivec2 place = inside(at + neighbours[i]);
+    ivec2 place = clamp(at + neighbours[i], ivec2(0), textureSize(object_id_map, 0) - 1);
     vec4 there = texelFetch(normal_and_depth_map, place, 0);
     depth = max(depth, abs(there.a - here.a));
     other_id = other_id || texelFetch(object_id_map, place, 0).r != id;
@@ -42,6 +42,6 @@ void main() {
   float of_shape = max(max(angle / mitchell.angle, depth / mitchell.depth), other_id ? float(mitchell.use_ids) : 0.0);
   float of_colour = colour / mitchell.albedo;
   float strength = max(of_shape, of_colour);
-  bool is_material = of_shape < edges.weak && of_colour >= edges.weak;
-  edge = vec2(strength, is_material ? class_material : edge_class(at, strength, edges.weak, 1));
+  bool is_shape = of_shape >= edges.weak, is_colour = of_colour >= edges.weak;
+  edge = vec2(strength, is_shape ? class_of_surfaces(1) : is_colour ? class_material : class_none);
 }

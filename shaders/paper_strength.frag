@@ -4,11 +4,8 @@
 #include "generated/combine.glsl"
 
 uniform sampler2D range_map;
-uniform sampler2D normal_and_depth_map;
-uniform sampler2D object_id_map;
 layout(location = 0) out vec2 edge;  // strength, class
 
-#include "lib/lens.glsl"
 #include "lib/edge_class.glsl"
 
 // A threshold of 0 lets any sum through.
@@ -20,5 +17,5 @@ void main() {
   vec2 p = min(ratio * ratio, 1.0) * vec2(combine.use_depth, combine.use_normal);
   float sum = p.x + p.y;
   float strength = sum / max(combine.threshold, without_threshold);
-  edge = vec2(strength, sum > 0.0 && sum >= combine.threshold ? edge_class(at, strength, 0.0, 2) : class_none);
+  edge = vec2(strength, sum > 0.0 && sum >= combine.threshold ? class_of_surfaces(2) : class_none);
 }

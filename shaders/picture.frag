@@ -7,7 +7,7 @@ uniform sampler2D buffer_map;
 layout(std140) uniform picture_block {
   float gain;
   int channel;  // 0 to 3: that channel as grey; -1: the first three as colour; -2: red as an id's colour;
-                // -3: offsets; -4: green as a line class's; -5: alpha as an id's colour
+                // -3: offsets; -4: red as a line class's; -5: alpha as an id's colour
   float low;    // shown as black
 } picture;
 layout(location = 0) out vec4 colour;
@@ -29,6 +29,6 @@ void main() {
   vec3 shown = picture.channel >= 0 ? vec3(value[max(picture.channel, 0)]) : value.rgb;
   if (picture.channel == -2 || picture.channel == -5) shown = id_colour(picture.channel == -2 ? value.r : value.a);
   if (picture.channel == -3) shown = vec3(value.rg, 0.0) + 0.5 / picture.gain;
-  if (picture.channel == -4) shown = class_colours[clamp(int(value.g + 0.5), 0, 6)];
+  if (picture.channel == -4) shown = class_colours[clamp(int(value.r + 0.5), 0, 6)];
   colour = vec4((shown - picture.low) * picture.gain, 1.0);
 }

@@ -3,7 +3,8 @@
 // Thinned candidates as placed lines: the offset is to the middle of the strengths of the candidates around.
 #include "lib/placed.glsl"
 
-uniform sampler2D detection_map;  // strength, class
+uniform sampler2D detection_map;  // strength
+uniform sampler2D class_map;
 uniform sampler2D candidate_map;
 uniform sampler2D thinned_map;
 layout(location = 0) out vec4 placed;  // lib/placed.glsl
@@ -24,7 +25,7 @@ void main() {
     sum += weight * vec2(d);
     weights += weight;
   }
-  vec2 detected = texelFetch(detection_map, at, 0).rg;
   vec2 offset = clamp(sum / max(weights, 1e-6), -0.499, 0.499);
-  placed = packed_line(Placed(offset, is_line ? detected.g : 0.0, detected.r));
+  float line_class = is_line ? texelFetch(class_map, at, 0).r : 0.0;
+  placed = packed_line(Placed(offset, line_class, texelFetch(detection_map, at, 0).r));
 }

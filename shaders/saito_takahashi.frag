@@ -6,11 +6,8 @@
 #include "generated/saito_takahashi.glsl"
 
 uniform sampler2D visible_depth_map;
-uniform sampler2D normal_and_depth_map;
-uniform sampler2D object_id_map;
 layout(location = 0) out vec2 edge;  // strength, class
 
-#include "lib/lens.glsl"
 #include "lib/edge_class.glsl"
 #include "lib/operators.glsl"
 
@@ -29,5 +26,5 @@ void main() {
   float profile = (abs(a + 2.0 * b + c - f - 2.0 * g - h) + abs(c + 2.0 * e + h - a - 2.0 * d - f)) / 8.0;
   float crease = abs(8.0 * x - (a + b + c + d + e + f + g + h)) / 3.0;
   float strength = max(profile / saito_takahashi.profile, min(crease / saito_takahashi.crease, most_of_a_crease));
-  edge = vec2(strength, edge_class(at, strength, edges.weak, 1));
+  edge = vec2(strength, strength >= edges.weak ? class_of_surfaces(1) : class_none);
 }

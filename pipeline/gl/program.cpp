@@ -122,7 +122,7 @@ Program::Name Program::link(const ShaderSource& vertex, const ShaderSource& frag
   const ShaderName vertex_shader = compile(GL_VERTEX_SHADER, vertex);
   const ShaderName fragment_shader = compile(GL_FRAGMENT_SHADER, fragment);
   Name program(glCreateProgram());
-  label_object(GL_PROGRAM, program.id(), fragment_name_);
+  label_object(GL_PROGRAM, program.id(), vertex_name_ + " + " + fragment_name_);
   glAttachShader(program.id(), vertex_shader.id());
   glAttachShader(program.id(), fragment_shader.id());
   glLinkProgram(program.id());

@@ -3,10 +3,9 @@
 #include "generated/dihedral.glsl"
 
 #include "lib/pair_map.glsl"
+#include "lib/edge_class.glsl"
 
 uniform sampler2D pair_map;
-
-const float class_none = 0.0, class_object = 1.0, class_silhouette = 2.0, class_crease = 3.0, class_normal = 4.0;
 
 struct Side {
   float strength;    // 1 = at the limit; 0 where the line would be the neighbour's

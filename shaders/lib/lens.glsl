@@ -11,8 +11,7 @@ layout(std140) uniform lens_block {
 // Eight bits round what is close to the camera to 0.
 const float least_depth = 1e-12;
 
-// The depth map holds 1 where no model is.
-bool is_background(float depth) { return depth >= 1.0; }
+#include "lib/background.glsl"
 
 // What is affine in the image on a plane: 1 / distance (0 where no model is); orthographic: the distance.
 float affine_depth(float depth) {

@@ -17,6 +17,8 @@
 #include "pipeline/passes/edges/saito_takahashi_detector.h"
 #include "pipeline/passes/gbuffer/visible_depth.h"
 #include "pipeline/passes/gbuffer/visible_range.h"
+#include "pipeline/passes/placing/edge_classes.h"
+#include "pipeline/passes/placing/edge_tiles.h"
 
 namespace inkbench {
 namespace {
@@ -54,7 +56,38 @@ Detected by_mitchell(const DetectorMaps& maps, const Settings& settings, const L
   return {strength, class_where(strength >= weak, maps, lens, x, y, 1)};
 }
 
+Texture detected_by_method(const DetectorMaps& maps, const Settings& settings, const LensBlock& lens,
+                           const GBuffer& gbuffer) {
+  const GeneratedSources generated = generated_sources();
+  const float weak = settings.edges.weak;
+  const Texture& both = gbuffer.normal_and_depth;
+  switch (settings.edges.method) {
+    case EdgeMethod::decaudin:
+      return DecaudinPass(generated).run(settings.decaudin, weak, DecaudinGradientPass(generated).run(both));
+    case EdgeMethod::saito_takahashi: {
+      const Texture range = VisibleRangePass(generated).run(
+          lens.far, whole_image({both.width_px(), both.height_px(), Precision::float32}), gbuffer);
+      const Texture visible = VisibleDepthPass(generated).run(lens, both, range);
+      return SaitoTakahashiPass(generated).run(settings.saito_takahashi, weak, visible);
+    }
+    case EdgeMethod::mitchell:
+      return MitchellPass(generated).run(settings.mitchell, weak, both, gbuffer, to_texture(maps.albedo));
+    default:
+      return LaplacianPass(generated).run(settings.laplacian, weak, lens, both);
+  }
+}
+
 }  // namespace
+
+Image with_classes(const Texture& detection, float weak, const LensBlock& lens, const GBuffer& gbuffer) {
+  const GeneratedSources generated = generated_sources();
+  const Texture tiles = EdgeTilesPass(generated).run(weak, detection);
+  const Image classes =
+      EdgeClassPass(generated).run(lens, detection, tiles, gbuffer.normal_and_depth, gbuffer).read(0, 1);
+  Image both = detection.read(0, 2);
+  for (size_t i = 0; i < classes.samples.size(); ++i) both.samples[2 * i + 1] = classes.samples[i];
+  return both;
+}
 
 DetectorMaps noisy_maps(int width_px, int height_px, int models, const LensBlock& lens) {
   DetectorMaps maps{noise(width_px, height_px, 1, 11, 0.05F, 0.95F),
@@ -107,30 +140,8 @@ Detected detected_at(const DetectorMaps& maps, const Settings& settings, const L
 }
 
 Image detection_of(const DetectorMaps& maps, const Settings& settings, const LensBlock& lens) {
-  const GeneratedSources generated = generated_sources();
-  const float weak = settings.edges.weak;
   const GBuffer gbuffer{to_texture(with_depth(maps.normal, maps.depth)), to_texture(maps.object_id)};
-  const Texture& both = gbuffer.normal_and_depth;
-  switch (settings.edges.method) {
-    case EdgeMethod::decaudin: {
-      const Texture gradient = DecaudinGradientPass(generated).run(both);
-      return DecaudinPass(generated).run(settings.decaudin, weak, lens, gradient, both, gbuffer).read(0, 2);
-    }
-    case EdgeMethod::saito_takahashi: {
-      const Texture range = VisibleRangePass(generated).run(
-          lens.far, whole_image({both.width_px(), both.height_px(), Precision::float32}), gbuffer);
-      const Texture visible = VisibleDepthPass(generated).run(lens, both, range);
-      return SaitoTakahashiPass(generated)
-          .run(settings.saito_takahashi, weak, lens, visible, both, gbuffer)
-          .read(0, 2);
-    }
-    case EdgeMethod::mitchell:
-      return MitchellPass(generated)
-          .run(settings.mitchell, weak, lens, both, gbuffer, to_texture(maps.albedo))
-          .read(0, 2);
-    default:
-      return LaplacianPass(generated).run(settings.laplacian, weak, lens, both, gbuffer).read(0, 2);
-  }
+  return with_classes(detected_by_method(maps, settings, lens, gbuffer), settings.edges.weak, lens, gbuffer);
 }
 
 std::vector<EdgeMethod> other_methods() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/passes/edges/edge_class.h"
+#include "pipeline/passes/gbuffer/gbuffer.h"
 #include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
 
@@ -35,6 +36,9 @@ Detected detected_at(const DetectorMaps& maps, const Settings& settings, const L
 
 /// By OpenGL: H x W x 2.
 Image detection_of(const DetectorMaps& maps, const Settings& settings, const LensBlock& lens);
+
+/// The same of a detection whose classes surfaces tell.
+Image with_classes(const Texture& detection, float weak, const LensBlock& lens, const GBuffer& gbuffer);
 
 /// The methods that are neither the paper's nor `dihedral`.
 std::vector<EdgeMethod> other_methods();

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "pipeline/explain.h"
 #include "tests/gl/detector_support.h"
@@ -69,6 +71,26 @@ TEST(Detectors, equal_their_equations_on_a_scene_also_in_eight_bits_and_orthogra
           << name_of_method(method);
     }
   }
+}
+
+TEST(Detectors, a_class_is_shown_in_its_colour_and_none_in_white) {
+  Settings settings = analytic_scene();
+  settings.edges.method = EdgeMethod::laplacian;
+  Pipeline pipeline;
+  const Frame frame = pipeline.at(settings);
+  const Image of = frame.raw(BufferName::edge_class);
+  const Picture shown = frame.picture(BufferName::edge_class);
+  const std::map<float, int> red_of{{0.0F, 255}, {1.0F, 0}, {3.0F, 213}};  // none, object, crease
+  std::set<float> seen;
+  for (int y = 0; y < of.height_px; ++y) {
+    for (int x = 0; x < of.width_px; ++x) {
+      const auto red = red_of.find(of.at(x, y));
+      if (red == red_of.end()) continue;
+      seen.insert(red->first);
+      ASSERT_EQ(shown.at(x, y, 0), red->second) << x << ", " << y;
+    }
+  }
+  EXPECT_EQ(seen.size(), red_of.size());
 }
 
 TEST(Detectors, explain_says_what_was_detected_at_every_pixel) {

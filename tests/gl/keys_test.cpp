@@ -110,7 +110,8 @@ TEST(Keys, placing_width_and_look_are_steps_of_their_own) {
     return passes_run_by(pipeline, [&] { pipeline.at(changed).raw(BufferName::final); });
   };
   EXPECT_EQ(passes([](Settings& s) { s.laplacian.bend *= 2.0F; }),
-            (Names{"laplacian", "candidates", "place", "line_tiles", "line_bits", "narrow_coverage", "ink"}));
+            (Names{"laplacian", "edge_tiles", "edge_class", "candidates", "place", "line_tiles", "line_bits",
+                   "narrow_coverage", "ink"}));
   EXPECT_EQ(passes([](Settings& s) { s.edges.min_length = 5.0F; }),
             (Names{"connect", "line_tiles", "line_bits", "narrow_coverage", "ink"}));
   EXPECT_EQ(passes([](Settings& s) { s.line.width = 3.0F; }), (Names{"narrow_coverage", "ink"}));
@@ -142,7 +143,8 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
       {BufferName::lines, {"meshes", "gbuffer", "gradient", "range", "combine", "lines"}},
       {BufferName::coverage, {"meshes", "gbuffer", "gradient", "range", "combine", "lines"}},
       {BufferName::edge_strength, {"meshes", "gbuffer", "gradient", "range", "paper_strength"}},
-      {BufferName::edge_class, {"meshes", "gbuffer", "gradient", "range", "paper_strength"}},
+      {BufferName::edge_class,
+       {"meshes", "gbuffer", "gradient", "range", "paper_strength", "edge_tiles", "edge_class"}},
       {BufferName::motion, {"meshes", "gbuffer", "motion"}},
       {BufferName::visible_depth, {"meshes", "gbuffer", "visible_range", "visible_depth"}},
       {BufferName::albedo, {"meshes", "gbuffer", "albedo"}},
@@ -164,8 +166,8 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
 TEST(Keys, all_buffers_together_run_each_pass_once) {
   Pipeline pipeline;
   Names expected = with_meshes(kFloatChain);
-  expected.insert({"blinn_phong", "lines", "paper_strength", "motion", "visible_range", "visible_depth",
-                   "albedo", "pairs"});
+  expected.insert({"blinn_phong", "lines", "paper_strength", "edge_tiles", "edge_class", "motion",
+                   "visible_range", "visible_depth", "albedo", "pairs"});
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
                             for (const BufferName buffer : framebuffers())

@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "pipeline/passes/edges/combine.h"
-#include "pipeline/passes/edges/published_look.h"
+#include "pipeline/passes/ink/published_look.h"
+#include "pipeline/passes/placing/edge_tiles.h"
 #include "pipeline/pipeline.h"
 #include "tests/gl/detector_support.h"
 #include "tests/gl/scenes.h"
@@ -28,7 +29,7 @@ PaperDetection paper_detection(const CombineParams& params, Image ranges) {
   const DetectorMaps maps = noisy_maps(ranges.width_px, ranges.height_px, 2, lens);
   const GBuffer gbuffer{to_texture(with_depth(maps.normal, maps.depth)), to_texture(maps.object_id)};
   const Texture range = to_texture(ranges);
-  return {PaperStrengthPass(generated).run(params, lens, range, gbuffer.normal_and_depth, gbuffer).read(0, 2),
+  return {with_classes(PaperStrengthPass(generated).run(params, range), EdgesParams{}.weak, lens, gbuffer),
           CombinePass(generated).run(params, range, Precision::float32).read(0, 1)};
 }
 
@@ -73,28 +74,35 @@ TEST(PaperStrength, class_of_an_outline_is_the_objects_over_the_whole_width_of_t
     EXPECT_EQ(of.at(there, 20), static_cast<float>(EdgeClass::object)) << there - x;
 }
 
-TEST(PublishedLook, is_half_ink_at_the_limit_and_full_at_twice_the_limit) {
+/// Without classes.
+Image published_look(EdgeMethod method, const Image& detection) {
   const GeneratedSources generated = generated_sources();
+  const Texture detected = to_texture(detection);
+  const Texture classes = to_texture(Image(detection.width_px, detection.height_px, 1));
+  const Texture tiles = EdgeTilesPass(generated).run(1.0F, detected);
+  return PublishedLookPass(generated).run(method, detected, classes, tiles).read(0, 1);
+}
+
+TEST(PublishedLook, is_half_ink_at_the_limit_and_full_at_twice_the_limit) {
   Image detection(4, 1, 2, 1.0F);
   detection.at(0, 0) = 0.0F;
   detection.at(2, 0) = 2.0F;
   detection.at(3, 0) = 1000.0F;
   for (const EdgeMethod method : {EdgeMethod::decaudin, EdgeMethod::saito_takahashi}) {
-    const Image ink = PublishedLookPass(generated).run(method, to_texture(detection)).read(0, 1);
+    const Image ink = published_look(method, detection);
     const std::array expected{0.0, 0.5, 1.0, 1.0};
     for (int x = 0; x < 4; ++x) EXPECT_NEAR(ink.at(x, 0), expected[x], 0.002);
   }
 }
 
 TEST(PublishedLook, makes_mitchells_lines_three_by_three_pixels_wide) {
-  const GeneratedSources generated = generated_sources();
-  Image detection(7, 5, 2);
+  Image detection(19, 13, 2);
   detection.at(0, 0, 0) = 0.999F;
-  detection.at(4, 2, 0) = 1.0F;
-  const Image ink = PublishedLookPass(generated).run(EdgeMethod::mitchell, to_texture(detection)).read(0, 1);
-  for (int y = 0; y < 5; ++y) {
-    for (int x = 0; x < 7; ++x)
-      EXPECT_EQ(ink.at(x, y), std::abs(x - 4) <= 1 && std::abs(y - 2) <= 1 ? 1.0F : 0.0F) << x << ", " << y;
+  detection.at(8, 4, 0) = 1.0F;  // beside the borders of its tile
+  const Image ink = published_look(EdgeMethod::mitchell, detection);
+  for (int y = 0; y < 13; ++y) {
+    for (int x = 0; x < 19; ++x)
+      EXPECT_EQ(ink.at(x, y), std::abs(x - 8) <= 1 && std::abs(y - 4) <= 1 ? 1.0F : 0.0F) << x << ", " << y;
   }
 }
 

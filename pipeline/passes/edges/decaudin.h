@@ -4,8 +4,8 @@
 
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
-#include "pipeline/passes/gbuffer/gbuffer.h"
-#include "pipeline/passes/gbuffer/lens_block.h"
+#include "pipeline/gl/texture.h"
+#include "pipeline/settings/detector_params.h"
 
 namespace inkbench {
 
@@ -14,10 +14,9 @@ class DecaudinPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit DecaudinPass(const GeneratedSources& generated);
-  /// In: Decaudin's gradients, the normal and depth maps and ids. Out: a detection (detection_pass.h); its
-  /// strength is twice the square of range / k.
-  Texture run(const DecaudinParams& params, float weak, const LensBlock& lens, const Texture& gradient,
-              const Texture& normal_and_depth, const GBuffer& gbuffer) const;
+  /// In: Decaudin's gradients. Out: a detection (detection_pass.h); its strength is twice the square of range
+  /// / k.
+  Texture run(const DecaudinParams& params, float weak, const Texture& gradient) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

@@ -11,8 +11,9 @@
 
 namespace inkbench {
 
-/// A detection: rg32f, H x W. Red: strength, 1 = at the limit, 0 = none, without an upper end; green: the
-/// class (EdgeClass), 0 where the strength is under `edges.weak`.
+/// A detection: rg32f, H x W. Red: strength, 1 = at the limit, 0 = none, without an upper end; green: 0 where
+/// the strength is under `edges.weak`, else the class (EdgeClass), or -n where the surfaces up to n pixels
+/// away tell it (edge_classes.h).
 Texture detection_target(const std::string& label, const Texture& like);
 
 /// Uniforms of a described group, as its generated block has them.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a detected pixel is of, by the surfaces around it, worked out beside the GPU. In: raw buffers and the
-// lens. Out: a class. shaders/lib/edge_class.glsl and lens.glsl are the same.
+// lens. Out: a class. shaders/edge_class.frag and lib/lens.glsl are the same.
 #pragma once
 
 #include "pipeline/image/image.h"

@@ -17,24 +17,16 @@ constexpr BufferInfo kEdgeStrength{
     .help = "How much of what makes a line the detector sees: 1 is at the limit; it has no upper end.",
     .gain = &DisplayParams::strength_gain,
     .limit = 1.0F};
-constexpr BufferInfo kEdgeClass{.name = "edge_class",
-                                .help =
-                                    "What each detected pixel is of: object, silhouette, crease, normal, "
-                                    "shadow or material.",
-                                .first_channel = 1,
-                                .shown_as = ShownAs::edge_class};
 
 }  // namespace
 
 constinit const BufferName BufferName::edge_strength{kEdgeStrength};
-constinit const BufferName BufferName::edge_class{kEdgeClass};
 
 const PassKind& FoundEdges::kind() {
   static const PassKind kKind =
       describe_choice<FoundEdges, PaperStrengthPass, DecaudinPass, SaitoTakahashiPass, MitchellPass,
-                      LaplacianPass, DihedralPass>(
-          "edges", EdgesParams::description().group,
-          {shows(BufferName::edge_strength), shows(BufferName::edge_class)});
+                      LaplacianPass, DihedralPass>("edges", EdgesParams::description().group,
+                                                   {shows(BufferName::edge_strength)});
   return kKind;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the chosen detector finds, as a detection (detection_pass.h): the buffers `edge_strength` and
-// `edge_class`.
+// What the chosen detector finds, as a detection (detection_pass.h): the buffer `edge_strength`.
 #pragma once
 
 #include "pipeline/flow/flow.h"

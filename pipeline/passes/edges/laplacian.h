@@ -5,7 +5,7 @@
 
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
-#include "pipeline/passes/gbuffer/gbuffer.h"
+#include "pipeline/gl/texture.h"
 #include "pipeline/passes/gbuffer/lens_block.h"
 
 namespace inkbench {
@@ -15,9 +15,9 @@ class LaplacianPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit LaplacianPass(const GeneratedSources& generated);
-  /// In: the normal and depth maps and ids. Out: a detection (detection_pass.h).
+  /// In: the normal and depth maps. Out: a detection (detection_pass.h).
   Texture run(const LaplacianParams& params, float weak, const LensBlock& lens,
-              const Texture& normal_and_depth, const GBuffer& gbuffer) const;
+              const Texture& normal_and_depth) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

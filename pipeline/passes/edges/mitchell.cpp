@@ -11,24 +11,22 @@ namespace inkbench {
 const PassKind& MitchellPass::kind() {
   static const PassKind kKind = describe_pass<MitchellPass>(
       "mitchell", 6, {}, group<&Settings::mitchell>(), part<&Settings::edges, &EdgesParams::weak>(),
-      LensInput{}, value_of<QuantisePass>(), value_of<GBufferPass>(), value_of<AlbedoPass>());
+      value_of<QuantisePass>(), value_of<GBufferPass>(), value_of<AlbedoPass>());
   return kKind;
 }
 
 MitchellPass::MitchellPass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "mitchell.frag",
-               {.samplers = {"normal_and_depth_map", "object_id_map", "albedo_map"},
-                .uniform_blocks = {block_of(EdgesParams::description()),
-                                   block_of(MitchellParams::description()), kLensBlock}},
-               generated) {}
+    : program_(
+          "full_screen.vert", "mitchell.frag",
+          {.samplers = {"normal_and_depth_map", "object_id_map", "albedo_map"},
+           .uniform_blocks = {block_of(EdgesParams::description()), block_of(MitchellParams::description())}},
+          generated) {}
 
-Texture MitchellPass::run(const MitchellParams& params, float weak, const LensBlock& lens,
-                          const Texture& normal_and_depth, const GBuffer& gbuffer,
-                          const Texture& albedo) const {
+Texture MitchellPass::run(const MitchellParams& params, float weak, const Texture& normal_and_depth,
+                          const GBuffer& gbuffer, const Texture& albedo) const {
   Texture detection = detection_target("mitchell", normal_and_depth);
-  const Buffer edges = weak_block(weak), limits = block_buffer(params), lens_uniforms = lens_buffer(lens);
-  draw_over(detection, program_, {&normal_and_depth, &gbuffer.object_id, &albedo},
-            {&edges, &limits, &lens_uniforms});
+  const Buffer edges = weak_block(weak), limits = block_buffer(params);
+  draw_over(detection, program_, {&normal_and_depth, &gbuffer.object_id, &albedo}, {&edges, &limits});
   return detection;
 }
 

@@ -6,7 +6,6 @@
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
 #include "pipeline/passes/gbuffer/gbuffer.h"
-#include "pipeline/passes/gbuffer/lens_block.h"
 
 namespace inkbench {
 
@@ -17,8 +16,8 @@ class MitchellPass {
   explicit MitchellPass(const GeneratedSources& generated);
   /// In: the normal and depth maps, ids, materials (albedo.h). Out: a detection (detection_pass.h);
   /// `material` where only the colours differ enough.
-  Texture run(const MitchellParams& params, float weak, const LensBlock& lens,
-              const Texture& normal_and_depth, const GBuffer& gbuffer, const Texture& albedo) const;
+  Texture run(const MitchellParams& params, float weak, const Texture& normal_and_depth,
+              const GBuffer& gbuffer, const Texture& albedo) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

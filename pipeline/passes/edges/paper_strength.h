@@ -5,8 +5,8 @@
 
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
-#include "pipeline/passes/gbuffer/gbuffer.h"
-#include "pipeline/passes/gbuffer/lens_block.h"
+#include "pipeline/gl/texture.h"
+#include "pipeline/settings/combine_params.h"
 
 namespace inkbench {
 
@@ -17,8 +17,7 @@ class PaperStrengthPass {
   explicit PaperStrengthPass(const GeneratedSources& generated);
   /// In: ranges of both gradients. Out: a detection (detection_pass.h): the sum of the terms over the
   /// threshold.
-  Texture run(const CombineParams& params, const LensBlock& lens, const Texture& range,
-              const Texture& normal_and_depth, const GBuffer& gbuffer) const;
+  Texture run(const CombineParams& params, const Texture& range) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

@@ -5,8 +5,8 @@
 
 #include "pipeline/flow/flow.h"
 #include "pipeline/gl/program.h"
-#include "pipeline/passes/gbuffer/gbuffer.h"
-#include "pipeline/passes/gbuffer/lens_block.h"
+#include "pipeline/gl/texture.h"
+#include "pipeline/settings/detector_params.h"
 
 namespace inkbench {
 
@@ -15,10 +15,9 @@ class SaitoTakahashiPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit SaitoTakahashiPass(const GeneratedSources& generated);
-  /// In: the visible depth (visible_depth.h), the normal and depth maps and ids. Out: a detection
-  /// (detection_pass.h); a crease's strength is at most 2.
-  Texture run(const SaitoTakahashiParams& params, float weak, const LensBlock& lens,
-              const Texture& visible_depth, const Texture& normal_and_depth, const GBuffer& gbuffer) const;
+  /// In: the visible depth (visible_depth.h). Out: a detection (detection_pass.h); a crease's strength is at
+  /// most 2.
+  Texture run(const SaitoTakahashiParams& params, float weak, const Texture& visible_depth) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

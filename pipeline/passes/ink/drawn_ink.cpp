@@ -3,8 +3,8 @@
 
 #include "pipeline/flow/describe_choice.h"
 #include "pipeline/passes/edges/combine.h"
-#include "pipeline/passes/edges/published_look.h"
 #include "pipeline/passes/ink/narrow_coverage.h"
+#include "pipeline/passes/ink/published_look.h"
 
 namespace inkbench {
 namespace {

@@ -15,7 +15,7 @@ struct PictureView {
   static constexpr int kColour = -1;     ///< The first three channels as colour.
   static constexpr int kObjectId = -2;   ///< Red as an object's id, each in a colour of its own.
   static constexpr int kOffset = -3;     ///< Red and green as signed lengths: half is 0.
-  static constexpr int kEdgeClass = -4;  ///< Green as a class of lines.
+  static constexpr int kEdgeClass = -4;  ///< Red as a class of lines.
   static constexpr int kAlphaId = -5;    ///< As kObjectId, alpha.
 };
 

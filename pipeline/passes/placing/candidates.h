@@ -14,8 +14,9 @@ class CandidatesPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit CandidatesPass(const GeneratedSources& generated);
-  /// In: a detection, the share of the limit from which a pixel counts. Out: r8, 0 or 1.
-  Texture run(float weak, const LensBlock& lens, const Texture& detection, const GBuffer& gbuffer) const;
+  /// In: a detection and its tiles, the share of the limit from which a pixel counts. Out: r8, 0 or 1.
+  Texture run(float weak, const LensBlock& lens, const Texture& detection, const Texture& tiles,
+              const GBuffer& gbuffer) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 

@@ -3,9 +3,11 @@
 
 #include "pipeline/flow/describe_pass.h"
 #include "pipeline/lines/thinning.h"
-#include "pipeline/passes/edges/detection_pass.h"
 #include "pipeline/passes/edges/found_edges.h"
 #include "pipeline/passes/placing/candidates.h"
+#include "pipeline/passes/placing/edge_classes.h"
+#include "pipeline/passes/placing/edge_tiles.h"
+#include "pipeline/passes/placing/tiles.h"
 
 namespace inkbench {
 namespace {
@@ -29,18 +31,22 @@ Texture thinned_texture(const Texture& candidates) {
 
 const PassKind& PlacePass::kind() {
   static const PassKind kKind =
-      describe_pass<PlacePass>("place", 5, {}, value_of<FoundEdges>(), value_of<CandidatesPass>());
+      describe_pass<PlacePass>("place", 5, {}, value_of<FoundEdges>(), value_of<EdgeClassPass>(),
+                               value_of<EdgeTilesPass>(), value_of<CandidatesPass>());
   return kKind;
 }
 
 PlacePass::PlacePass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "place.frag",
-               {.samplers = {"detection_map", "candidate_map", "thinned_map"}}, generated) {}
+    : program_("tiles.vert", "place.frag",
+               {.samplers = {"detection_map", "class_map", "candidate_map", "thinned_map", "tile_map"},
+                .uniform_blocks = {kSquaresBlock}},
+               generated) {}
 
-Texture PlacePass::run(const Texture& detection, const Texture& candidates) const {
+Texture PlacePass::run(const Texture& detection, const Texture& classes, const Texture& tiles,
+                       const Texture& candidates) const {
   const Texture thin = thinned_texture(candidates);
   Texture placed("placed lines", TextureFormat::rgba8, detection.width_px(), detection.height_px());
-  draw_over(placed, program_, {&detection, &candidates, &thin}, {});
+  draw_over_tiles(placed, program_, 0, {&detection, &classes, &candidates, &thin, &tiles}, {});
   return placed;
 }
 

@@ -13,9 +13,10 @@ class PlacePass {
   using Value = Texture;
   static const PassKind& kind();
   explicit PlacePass(const GeneratedSources& generated);
-  /// In: a detection and its candidates. Out: placed lines (placed_lines.h). Thinned as measures are, on the
-  /// CPU; the offset is to the middle of the strengths around.
-  Texture run(const Texture& detection, const Texture& candidates) const;
+  /// In: a detection, its classes, tiles and candidates. Out: placed lines (placed_lines.h). Thinned as
+  /// measures are, on the CPU; the offset is to the middle of the strengths around.
+  Texture run(const Texture& detection, const Texture& classes, const Texture& tiles,
+              const Texture& candidates) const;
   const Program& program() const { return program_; }
   Program& program() { return program_; }
 
