@@ -26,6 +26,12 @@ std::vector<BufferName> all_buffers() {
   return buffers;
 }
 
+std::string lacking_for(BufferName buffer, const Settings& settings) {
+  const BufferInfo& info = buffer.info();
+  if (!all_met(settings, parse_conditions(info.matters_when))) return std::string(info.matters_when);
+  return info.looks_back ? "a frame before" : "";
+}
+
 std::string buffer_list() {
   std::string text;
   for (const BufferName buffer : all_buffers())

@@ -110,7 +110,7 @@ class Window:
 
 
 def sheet(window):
-    """Every framebuffer, and why a pixel is a line."""
+    """The framebuffers from the scene to its lines, and why a pixel is a line."""
     window.click("tile:combined_edges", 0.31, 0.33)
     while not window.state()["why"]["inked"]:
         window.key("Left")
@@ -127,6 +127,18 @@ def judge(window):
     window.wait("the measures", lambda state: not state["judge"]["behind"] and state["judge"]["pinned"])
     window.rest()
     window.save("judge")
+
+
+def causes(window):
+    """Why lines are false or missing, and the cause of one pixel."""
+    window.key("7", "l", "l", "l")
+    window.wait("the causes", lambda state: state["causes"])
+    window.click("tile:final", 0.45, 0.5)
+    while not window.state()["why"]["inked"]:
+        window.key("Left")
+    window.input("mousemove", 640, 790)
+    window.wait("the causes again", lambda state: state["causes"])
+    window.save("causes")
 
 
 def ramps(window):
@@ -159,7 +171,7 @@ def study(window):
     window.save("study")
 
 
-SHOTS = {"sheet": sheet, "judge": judge, "ramps": ramps, "polygons": polygons, "study": study}
+SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "ramps": ramps, "polygons": polygons, "study": study}
 
 
 def main():

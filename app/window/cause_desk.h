@@ -23,6 +23,14 @@ class CauseDesk {
   /// Does a step towards the causes of the frame; none while something is dragged (`hurry`). What goes wrong
   /// is told by `error`.
   void refresh(Pipeline& pipeline, const Frame& frame, bool hurry);
+  /// Reloads changed shaders of its own passes, if it has any. Errors and result: as of `Pipeline`.
+  bool reload_changed_shaders() { return own_ && own_->pipeline.reload_changed_shaders(); }
+  /// As `Pipeline::shader_problem`.
+  std::string shader_problem() { return own_ ? own_->pipeline.shader_problem() : ""; }
+  /// What failed is tried again with the next frame.
+  void try_again() {
+    if (!error_.empty()) asked_.reset();
+  }
   /// Frees what nobody looks at; to be called again while lines are being found.
   void forget();
 

@@ -8,9 +8,14 @@
 
 namespace inkbench {
 
-DiskWatch::DiskWatch(const Document& document, Problems& problems, Pipeline& pipeline, TilePainter& tiles,
-                     WirePainter& wires)
-    : document_(document), problems_(problems), pipeline_(pipeline), tiles_(tiles), wires_(wires) {}
+DiskWatch::DiskWatch(const Document& document, Problems& problems, Pipeline& pipeline, JudgeDesk& judge,
+                     TilePainter& tiles, WirePainter& wires)
+    : document_(document),
+      problems_(problems),
+      pipeline_(pipeline),
+      judge_(judge),
+      tiles_(tiles),
+      wires_(wires) {}
 
 /// What the files that the settings name hold, or why they cannot be read.
 std::string DiskWatch::files_state() {
@@ -31,8 +36,8 @@ bool DiskWatch::take_files_state() {
 
 /// Of all programs: mending one does not mend another.
 std::string DiskWatch::shader_problem() const {
-  for (const std::string& problem :
-       {pipeline_.shader_problem(), tiles_.shader_problem(), wires_.shader_problem()}) {
+  for (const std::string& problem : {pipeline_.shader_problem(), judge_.shader_problem(),
+                                     tiles_.shader_problem(), wires_.shader_problem()}) {
     if (!problem.empty()) return problem;
   }
   return "";
@@ -40,8 +45,10 @@ std::string DiskWatch::shader_problem() const {
 
 bool DiskWatch::reload_changed() {
   bool changed = pipeline_.reload_changed_shaders();
+  changed |= judge_.reload_changed_shaders();
   changed |= tiles_.reload_if_changed();
   changed |= wires_.reload_if_changed();
+  if (changed) judge_.causes.try_again();
   return changed;
 }
 

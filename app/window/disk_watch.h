@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "app/window/judge_desk.h"
 #include "app/window/tile.h"
 #include "app/window/wire_painter.h"
 #include "app/workbench/document.h"
@@ -15,8 +16,8 @@ namespace inkbench {
 class DiskWatch {
  public:
   /// All must outlive it.
-  DiskWatch(const Document& document, Problems& problems, Pipeline& pipeline, TilePainter& tiles,
-            WirePainter& wires);
+  DiskWatch(const Document& document, Problems& problems, Pipeline& pipeline, JudgeDesk& judge,
+            TilePainter& tiles, WirePainter& wires);
 
   /// Takes in what was edited; a shader that does not compile is told as a problem. Returns whether there was
   /// anything.
@@ -33,6 +34,7 @@ class DiskWatch {
   const Document& document_;
   Problems& problems_;
   Pipeline& pipeline_;
+  JudgeDesk& judge_;
   TilePainter& tiles_;
   WirePainter& wires_;
   long revision_ = 0;

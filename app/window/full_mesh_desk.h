@@ -20,6 +20,10 @@ class FullMeshDesk {
   /// settings draw the full mesh, where it is not there yet, and for another camera or scene while something
   /// is dragged (`hurry`). Errors (input, work): as `Pictures::refresh`.
   KeyedView refresh(Pipeline& pipeline, const Frame& frame, bool hurry);
+  /// Reloads changed shaders of its own passes, if it has any. Errors and result: as of `Pipeline`.
+  bool reload_changed_shaders() { return own_ && own_->pipeline.reload_changed_shaders(); }
+  /// As `Pipeline::shader_problem`.
+  std::string shader_problem() { return own_ ? own_->pipeline.shader_problem() : ""; }
   /// Frees what nobody looks at; to be called again while lines are being found.
   void forget();
 

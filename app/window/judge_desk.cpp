@@ -63,6 +63,17 @@ void JudgeDesk::refresh(Pictures& pictures, const Frame& frame, Wanted wanted, b
   refresh_pinned(pictures);
 }
 
+bool JudgeDesk::reload_changed_shaders() {
+  bool changed = causes.reload_changed_shaders();
+  changed |= full_mesh_.reload_changed_shaders();
+  return changed;
+}
+
+std::string JudgeDesk::shader_problem() {
+  const std::string problem = causes.shader_problem();
+  return problem.empty() ? full_mesh_.shader_problem() : problem;
+}
+
 TileOverlay JudgeDesk::overlay(Overlay kind, ReferenceDesk& reference) {
   if (kind == Overlay::reference && reference.now() != nullptr)
     return {&reference.overlay(), reference.now()->key, kReferenceVeil};

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/window/cause_desk.h"
 #include "app/window/full_mesh_desk.h"
@@ -39,6 +40,12 @@ class JudgeDesk {
 
   /// The lines to lay over pictures of the present settings; none where there are none yet.
   TileOverlay overlay(Overlay kind, ReferenceDesk& reference);
+
+  /// Reloads changed shaders of the passes that its parts have of their own. Errors and result: as of
+  /// `Pipeline`.
+  bool reload_changed_shaders();
+  /// As `Pipeline::shader_problem`.
+  std::string shader_problem();
 
   CauseDesk causes;
 

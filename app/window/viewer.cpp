@@ -14,7 +14,7 @@ Viewer::Viewer(Document& document, Problems& problems, const WindowLayout& layou
     : pictures(news),
       judge(news),
       ladders(news),
-      disk(document, problems, pictures.pipeline(), tiles, wires),
+      disk(document, problems, pictures.pipeline(), judge, tiles, wires),
       document_(document),
       problems_(problems),
       layout_(layout),

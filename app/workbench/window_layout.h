@@ -53,8 +53,11 @@ struct WindowLayout {
   Overlay overlay = Overlay::none;
   Theme theme = Theme::dark;
   float ui_scale = 0.0F;
-  std::string open_groups = "mesh ramp combine ink";
-  std::string hidden_buffers;
+  /// Of the detectors the chosen one's is shown alone.
+  std::string open_groups = "mesh edges combine decaudin saito_takahashi mitchell laplacian dihedral ink";
+  /// A first sheet leads from the scene to its lines; the others are a tick away.
+  std::string hidden_buffers =
+      "blinn_phong object_id visible_depth albedo material_id pair_angles pair_gaps coverage motion";
 
   static const Description& description();
   bool operator==(const WindowLayout&) const = default;

@@ -40,6 +40,9 @@ struct BufferInfo {
   ReadAsLines as_lines = ReadAsLines::no;
   bool is_supersampled = false;  ///< Whether its picture follows `image.supersample`.
   float limit = 0.0F;            ///< The value from which on there is a line, where others say less; 0: none.
+  std::string_view matters_when =
+      {};                   ///< What must be set for it to hold anything, with whole keys; "": nothing.
+  bool looks_back = false;  ///< It holds nothing in a frame without one before it.
 };
 
 /// Which buffer: compared by identity, ordered by name. The constants are those that code refers to.

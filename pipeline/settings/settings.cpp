@@ -79,16 +79,6 @@ std::vector<ParamOf<Owner>> params_of(AnySettings& settings) {
   return params;
 }
 
-bool all_met(const Settings& settings, const std::vector<Condition>& conditions) {
-  return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
-    const Value value = find_param(settings, condition.key, "condition").value();
-    const auto* word = std::get_if<std::string>(&value);
-    const std::string text = word != nullptr ? *word : to_text(value);
-    const auto& values = condition.values;
-    return (std::find(values.begin(), values.end(), text) != values.end()) != condition.is_unequal;
-  });
-}
-
 template <class Item>
 bool has_named(const std::vector<Item>& items, const std::string& name) {
   return std::any_of(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
@@ -163,6 +153,16 @@ std::vector<Param> list_params(Settings& settings) {
 
 std::vector<ConstParam> list_params(const Settings& settings) {
   return params_of<const void>(settings);
+}
+
+bool all_met(const Settings& settings, const std::vector<Condition>& conditions) {
+  return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
+    const Value value = find_param(settings, condition.key, "condition").value();
+    const auto* word = std::get_if<std::string>(&value);
+    const std::string text = word != nullptr ? *word : to_text(value);
+    const auto& values = condition.values;
+    return (std::find(values.begin(), values.end(), text) != values.end()) != condition.is_unequal;
+  });
 }
 
 bool matters(const Settings& settings, const ConstParamGroup& group) {

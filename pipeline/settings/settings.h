@@ -97,6 +97,9 @@ Param find_param(Settings& settings, const std::string& key, const std::string& 
 ConstParam find_param(const Settings& settings, const std::string& key, const std::string& where);
 bool has_param(const Settings& settings, const std::string& key);
 
+/// Whether the parameters, named by whole keys, are as all conditions say.
+bool all_met(const Settings& settings, const std::vector<Condition>& conditions);
+
 /// Whether the group's fields have an effect in these settings, by what its description says.
 bool matters(const Settings& settings, const ConstParamGroup& group);
 /// Whether this one has.

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "pipeline/base/files.h"
 #include "tests/app/display.h"
 #include "tests/cli/command.h"
 #include "tests/places.h"
@@ -99,6 +100,22 @@ void AppTest::open_with(const std::vector<std::string>& arguments, bool close_ke
   keys("Escape");
   wait_for("the page of keys to close",
            [](const Json& now) { return now.at("layout").at("show_welcome") == "false"; });
+}
+
+void AppTest::open_with_own_shaders() {
+  namespace fs = std::filesystem;
+  fs::create_directories(file("root"));
+  fs::copy(project_file("shaders"), file("root/shaders"), fs::copy_options::recursive);
+  fs::copy(project_file("data"), file("root/data"), fs::copy_options::recursive);
+  environment_["INKBENCH_ROOT"] = file("root").string();
+  open();
+}
+
+void AppTest::choose_method(const std::string& method) {
+  click("choice:edges.method");
+  click("choice:edges.method=" + method);
+  wait_for("the method",
+           [&](const Json& now) { return parameter(now, "edges.method") == "\"" + method + "\""; });
 }
 
 long AppTest::resident_kb() const {

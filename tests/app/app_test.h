@@ -27,6 +27,8 @@ class AppTest : public testing::Test {
   void open(bool close_keys_page = true);
   /// The same with other arguments than the scene's.
   void open_with(const std::vector<std::string>& arguments, bool close_keys_page = true);
+  /// As `open`, with a copy of the project's shaders and data in the folder "root".
+  void open_with_own_shaders();
   bool has_ended();
   /// Waits for the program's end; its exit status, or -1 for another end.
   int wait_for_end();
@@ -73,6 +75,8 @@ class AppTest : public testing::Test {
   void type_over(const std::string& widget, const std::string& text);
   void wait_for_text_field();
   void drag(const Place& from, const Place& to, int button = 1);
+  /// Chooses the edge detector in the panel of parameters.
+  void choose_method(const std::string& method);
   /// The first half of a drag: the button stays down.
   void press_and_move(const Place& from, const Place& to);
   void release() { input({"mouseup", "1"}); }

@@ -68,6 +68,18 @@ TEST_F(AppDrop, mesh_replaces_the_main_model) {
   wait_for_parameter("model.ball.shape", "\"sphere\"");
 }
 
+TEST_F(AppDrop, mesh_is_drawn_by_the_method_that_was_chosen) {
+  open();
+  choose_method("mitchell");
+  const Json before = settled();
+  drop_files({file("wedge.obj")});
+  wait_for_parameter("model.ball.shape", "\"mesh\"");
+  const Json after = settled();
+  EXPECT_EQ(parameter(after, "edges.method"), "\"mitchell\"");
+  EXPECT_GT(runs(after, "mitchell"), runs(before, "mitchell"));
+  EXPECT_EQ(runs(after, "decaudin"), 0);
+}
+
 TEST_F(AppDrop, scene_is_opened) {
   open();
   write("other.toml", "base = \"scene.toml\"\n[combine]\nk_normal = 0.5\n");

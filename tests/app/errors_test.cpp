@@ -13,14 +13,6 @@ namespace {
 
 class AppErrors : public AppTest {
  protected:
-  /// With a copy of the project's shaders and data in the folder "root".
-  void open_with_own_shaders() {
-    fs::create_directories(file("root"));
-    fs::copy(project_file("shaders"), file("root/shaders"), fs::copy_options::recursive);
-    fs::copy(project_file("data"), file("root/data"), fs::copy_options::recursive);
-    environment_["INKBENCH_ROOT"] = file("root").string();
-    open();
-  }
   Json wait_for_problem_of(const std::string& name) {
     return wait_for("the problem of " + name,
                     [&](const Json& now) { return first_problem(now).find(name) != std::string::npos; });

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "pipeline/base/files.h"
 #include "tests/app/app_test.h"
 #include "tests/cli/command.h"
 #include "tests/places.h"
@@ -23,6 +24,26 @@ class AppJudge : public AppTest {
     return wait_for("measures", [](const Json& now) {
       return !now["judge"]["now"].is_null() && now["judge"]["behind"] == false;
     });
+  }
+
+  /// Lines of fewer of the paper's terms: whatever draws by the old shader gives others.
+  void change_shader_of_lines() {
+    const fs::path shader = file("root/shaders/combine.frag");
+    std::string text = read_file(shader);
+    const std::string sum = "float sum = p.x + p.y;";
+    const size_t place = text.find(sum);
+    ASSERT_NE(place, std::string::npos);
+    write_file_atomically(shader, text.replace(place, sum.size(), "float sum = p.x;"));
+  }
+
+  /// What the command line says of the same scene, with these options as well.
+  Json measured_by_command(const std::vector<std::string>& options) {
+    std::vector<std::string> command{inkbench_program(), "measure", "--scene", file("scene.toml").string(),
+                                     "--json"};
+    command.insert(command.end(), options.begin(), options.end());
+    const CommandResult result = run_command(command, {.environment = environment_});
+    if (result.status != 0) throw std::runtime_error(result.err);
+    return Json::parse(result.out);
   }
 
   void set_number(const std::string& key, const std::string& text) {
@@ -152,12 +173,7 @@ TEST_F(AppJudge, causes_of_the_windows_lines_are_those_that_are_measured_and_its
   click("overlay:3");
   const Json first =
       wait_for("causes", [](const Json& now) { return !now["causes"].is_null() && !now["why"].is_object(); });
-  CommandOptions options;
-  options.environment = environment_;
-  const CommandResult result = run_command(
-      {inkbench_program(), "measure", "--scene", file("scene.toml").string(), "--causes", "--json"}, options);
-  ASSERT_EQ(result.status, 0) << result.err;
-  const Json measured = Json::parse(result.out);
+  const Json measured = measured_by_command({"--causes"});
   int64_t wrong = 0;
   for (const auto& [key, count] : first["causes"].items()) {
     EXPECT_EQ(count, measured[key]) << key;
@@ -171,6 +187,36 @@ TEST_F(AppJudge, causes_of_the_windows_lines_are_those_that_are_measured_and_its
   wait_for("other causes",
            [&](const Json& now) { return !now["causes"].is_null() && now["causes"] != first["causes"]; });
   EXPECT_TRUE(state()["problems"].empty());
+}
+
+TEST_F(AppJudge, causes_are_of_the_shaders_as_they_are_now) {
+  open_with_own_shaders();
+  click("tab:Judge");
+  click("overlay:3");
+  const Json first = wait_for("causes", [](const Json& now) { return !now["causes"].is_null(); });
+  change_shader_of_lines();
+  const Json other = wait_for("causes of other lines", [&](const Json& now) {
+    return now["pictures"]["lines"] != first["pictures"]["lines"] && !now["causes"].is_null();
+  });
+  const Json measured = measured_by_command({"--causes"});
+  for (const auto& [key, count] : other["causes"].items()) EXPECT_EQ(count, measured[key]) << key;
+  EXPECT_NE(other["causes"], first["causes"]);
+}
+
+TEST_F(AppJudge, full_mesh_is_drawn_by_the_shaders_as_they_are_now) {
+  open_with_own_shaders();
+  click("tab:Judge");
+  set_number("mesh.faces", "120");
+  const auto has_ladder = [](const Json& now) {
+    return now["judge"]["now"].contains("f1_geometry") && now["judge"]["behind"] == false;
+  };
+  const Json first = wait_for("the full mesh's lines", has_ladder);
+  change_shader_of_lines();
+  const Json other = wait_for("other measures", [&](const Json& now) {
+    return now["pictures"]["lines"] != first["pictures"]["lines"] && has_ladder(now);
+  });
+  const Json measured = measured_by_command({"--set", "mesh.faces=120"});
+  for (const auto& [key, value] : other["judge"]["now"].items()) EXPECT_EQ(value, measured[key]) << key;
 }
 
 }  // namespace

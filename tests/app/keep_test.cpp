@@ -273,6 +273,7 @@ TEST_F(AppKeep, copied_command_run_by_a_shell_anywhere_draws_the_same_picture) {
        "ramp.diffuse=[{position = 0, colour = [0.1, 0.2, 0.3], stepped = true}, {position = 0.5, colour "
        "= 1, stepped = false}]",
        "--set", "light.key.direction=[0, 1, 0.5]", "--set", "model.t.material.colour=[1, 0.5, 0]"});
+  click("group:mesh");  // room for what is pulled
   pull(0.2, 1);
   save_picture("a.png");
   keys("ctrl+shift+c");

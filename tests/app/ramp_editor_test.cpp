@@ -15,6 +15,7 @@ class AppRamps : public AppTest {
 
   void open_editor() {
     open();
+    click("group:ramp");
     click("strip:" + key_);
     wait_for("the editor", [&](const Json& now) { return now["ui"].contains("ramp:" + key_); });
     settled();

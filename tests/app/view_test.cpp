@@ -18,6 +18,59 @@ class AppView : public AppTest {
     for (const auto& [name, pass] : now.at("passes").items()) sum += pass.at("runs").get<long>();
     return sum;
   }
+
+  void show_all_buffers() {
+    click("buffers");
+    click("menu:All");
+    wait_for("all buffers", [](const Json& now) {
+      return now["layout"]["hidden_buffers"] == "\"\"" && !now["ui"].contains("menu:All");
+    });
+  }
+
+  /// What the window looks like.
+  Picture screenshot() {
+    const size_t lines = settled()["log"].size();
+    keys("F12");
+    const Json saved = wait_for("the screenshot", [&](const Json& now) { return now["log"].size() > lines; });
+    const std::string note = saved["log"].back();
+    return read_picture(note.substr(note.find('/')), 3);
+  }
+
+  /// The scene's picture as the command line draws it.
+  Picture rendered(const std::string& buffer, const std::string& assignment) {
+    const CommandResult result =
+        run_command({inkbench_program(), "render", "--scene", file("scene.toml").string(), "--set",
+                     assignment, "--buffers", buffer, "--out", file("out").string()},
+                    {.environment = environment_});
+    if (result.status != 0) throw std::runtime_error(result.err);
+    return read_picture(file("out") / (buffer + ".png"), 3);
+  }
+
+  void look_one_to_one() {
+    keys("z");
+    wait_for("one to one",
+             [](const Json& now) { return std::abs(now["view"]["magnification"].get<double>() - 1) < 1e-9; });
+  }
+
+  /// Samples of the picture's columns from `first` to before `end` that are others in the middle of the tile,
+  /// where it is shown one to one.
+  int different_in(const std::string& tile, const Picture& window, const Picture& picture, int first,
+                   int end) {
+    const auto rect = state()["ui"][tile].get<std::vector<double>>();
+    const auto left = std::lround(rect[0] + (rect[2] - rect[0]) / 2 - picture.width_px / 2.0);
+    const auto top = std::lround(rect[1] + (rect[3] - rect[1]) / 2 - picture.height_px / 2.0);
+    int different = 0;
+    for (int y = 0; y < picture.height_px; ++y) {
+      for (int x = first; x < end; ++x) {
+        for (int c = 0; c < 3; ++c) {
+          const int window_x = static_cast<int>(left) + x;
+          const int window_y = static_cast<int>(top) + y;
+          if (window.at(window_x, window_y, c) != picture.at(x, y, c)) ++different;
+        }
+      }
+    }
+    return different;
+  }
 };
 
 TEST_F(AppView, number_key_fills_the_window_and_escape_goes_back) {
@@ -157,6 +210,7 @@ TEST_F(AppView, pinned_state_stays_while_now_changes_and_space_flips) {
 
 TEST_F(AppView, every_tile_stays_in_sight_when_the_window_is_resized) {
   open();
+  show_all_buffers();
   for (const auto& [width, height] : {std::pair{640, 480}, {1500, 600}, {700, 1000}}) {
     xdotool({"search", "--name", "^inkbench$", "windowsize", std::to_string(width), std::to_string(height)});
     wait_for("the size",
@@ -179,34 +233,48 @@ TEST_F(AppView, window_shows_the_pixels_that_render_writes) {
   open();
   keys("7");
   wait_for("the buffer", [](const Json& now) { return now["view"]["filled"] == "final"; });
-  keys("z");
-  wait_for("one to one",
-           [](const Json& now) { return std::abs(now["view"]["magnification"].get<double>() - 1) < 1e-9; });
-  settled();
-  keys("F12");
-  const Json saved = wait_for("the screenshot", [](const Json& now) { return !now["log"].empty(); });
-  const std::string note = saved["log"].back();
-  const Picture window = read_picture(note.substr(note.find('/')), 3);
-  const CommandResult result =
-      run_command({inkbench_program(), "render", "--scene", file("scene.toml").string(), "--buffers", "final",
-                   "--out", file("out").string()},
-                  {.environment = environment_});
-  ASSERT_EQ(result.status, 0) << result.err;
-  const Picture written = read_picture(file("out") / "final.png", 3);
-  const auto rect = state()["ui"]["tile:final"].get<std::vector<double>>();
-  const double left = rect[0] + (rect[2] - rect[0]) / 2 - written.width_px / 2.0;
-  const double top = rect[1] + (rect[3] - rect[1]) / 2 - written.height_px / 2.0;
-  int different = 0;
-  for (int y = 0; y < written.height_px; ++y) {
-    for (int x = 0; x < written.width_px; ++x) {
-      for (int c = 0; c < 3; ++c) {
-        const int window_x = static_cast<int>(std::lround(left)) + x;
-        const int window_y = static_cast<int>(std::lround(top)) + y;
-        if (window.at(window_x, window_y, c) != written.at(x, y, c)) ++different;
-      }
-    }
-  }
-  EXPECT_EQ(different, 0);
+  look_one_to_one();
+  const Picture window = screenshot();
+  const Picture written = rendered("final", "edges.method=paper");
+  EXPECT_EQ(different_in("tile:final", window, written, 0, written.width_px), 0);
+}
+
+TEST_F(AppView, two_detectors_stand_side_by_side_by_pinning) {
+  open();
+  click("tile:lines");
+  keys("Escape");
+  keys("p");
+  wait_for("the pin", [](const Json& now) { return !now["pinned"].empty(); });
+  choose_method("dihedral");
+  keys("c");
+  const Json compared =
+      wait_for("comparing", [](const Json& now) { return now["view"]["comparison"]["active"]; });
+  EXPECT_EQ(compared["view"]["comparison"]["a"], Json({"lines", true}));
+  EXPECT_EQ(compared["view"]["comparison"]["b"], Json({"lines", false}));
+  look_one_to_one();
+  const Picture window = screenshot();
+  const Picture paper = rendered("lines", "edges.method=paper");
+  const Picture dihedral = rendered("lines", "edges.method=dihedral");
+  const int line_between = 8;  // px that it may cover on each side
+  const int left = paper.width_px / 2 - line_between;
+  const int right = paper.width_px / 2 + line_between;
+  EXPECT_EQ(different_in("tile:comparison", window, paper, 0, left), 0) << "pinned";
+  EXPECT_EQ(different_in("tile:comparison", window, dihedral, right, dihedral.width_px), 0) << "now";
+  EXPECT_GT(different_in("tile:comparison", window, dihedral, 0, left), 0);
+  EXPECT_GT(different_in("tile:comparison", window, paper, right, paper.width_px), 0);
+}
+
+TEST_F(AppView, picture_that_holds_nothing_says_what_it_lacks) {
+  open();
+  show_all_buffers();
+  const Json paper = settled()["ui"];
+  EXPECT_TRUE(paper.contains("lack:pair_angles"));
+  EXPECT_TRUE(paper.contains("lack:motion"));
+  EXPECT_FALSE(paper.contains("lack:final"));
+  choose_method("dihedral");
+  const Json dihedral = settled()["ui"];
+  EXPECT_FALSE(dihedral.contains("lack:pair_angles"));
+  EXPECT_TRUE(dihedral.contains("lack:motion"));
 }
 
 TEST_F(AppView, home_shows_the_models_from_within_their_room) {
@@ -248,6 +316,7 @@ TEST_F(AppView, window_closes_while_a_dense_mesh_gets_its_levels) {
 
 TEST_F(AppView, large_pictures_come_one_after_the_other_until_all_are_there) {
   open();
+  show_all_buffers();
   const Json small = settled();
   write("large.toml", "base = \"scene.toml\"\n[image]\nwidth = 1800\nheight = 1200\n");
   open_by_dialog(file("large.toml"));

@@ -45,6 +45,31 @@ TEST_F(AppWindow, next_start_brings_back_settings_dividers_and_theme) {
   EXPECT_EQ(after["scene"], "scene.toml");
 }
 
+TEST_F(AppWindow, first_sheet_leads_to_the_lines_and_a_tick_that_adds_a_buffer_is_kept) {
+  open();
+  const Json first = settled()["ui"];
+  for (const char* there : {"normal", "depth_edges", "edge_class", "lines", "final"})
+    EXPECT_TRUE(first.contains(std::string("tile:") + there)) << there;
+  for (const char* left_out : {"motion", "pair_angles", "albedo"})
+    EXPECT_FALSE(first.contains(std::string("tile:") + left_out)) << left_out;
+  click("buffers");
+  click("list:albedo");
+  wait_for("its tile", [](const Json& now) { return now["ui"].contains("tile:albedo"); });
+  keys("Escape");
+  quit();
+  open_with({});
+  EXPECT_TRUE(state()["ui"].contains("tile:albedo"));
+  EXPECT_FALSE(state()["ui"].contains("tile:motion"));
+}
+
+TEST_F(AppWindow, first_parameters_are_open_at_the_method_and_at_those_of_the_chosen_one) {
+  open();
+  choose_method("dihedral");
+  const Json ui = wait_for("its parameters",
+                           [](const Json& now) { return now["ui"].contains("bar:dihedral.angle"); })["ui"];
+  EXPECT_FALSE(ui.contains("bar:combine.k_depth"));
+}
+
 TEST_F(AppWindow, draws_nothing_and_computes_nothing_while_nothing_happens) {
   open();
   input({"mousemove", "5", "715"});

@@ -21,7 +21,8 @@ void buffers_menu(WindowLayout& layout, UiMap& ui_map) {
     ui_map.mark_item("list:" + std::string(name_of(buffer)));
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("All")) layout.hidden_buffers.clear();
+  if (menu_item(ui_map, "All")) layout.hidden_buffers.clear();
+  if (menu_item(ui_map, "As at first")) layout.hidden_buffers = WindowLayout().hidden_buffers;
   ImGui::EndPopup();
 }
 

@@ -102,6 +102,26 @@ void draw_caption(Pictures& pictures, const ViewState& view, UiMap& ui_map, Buff
     list.AddText({x, text_y}, theme().faint, note.c_str());
 }
 
+/// Over a picture that holds nothing: what it lacks.
+void draw_lack(UiMap& ui_map, BufferName buffer, const Settings& settings, const TileRect& picture) {
+  const std::string lack = lacking_for(buffer, settings);
+  if (lack.empty()) return;
+  const std::string text = "Empty without\n" + lack;
+  const float edge = scaled(6);
+  const float room = picture.width() - 4 * edge;
+  if (room < ImGui::GetFontSize() || picture.height() < 2 * ImGui::GetFontSize()) return;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+  const ImVec2 low{std::round((picture.low.x + picture.high.x - size.x) / 2),
+                   std::round((picture.low.y + picture.high.y - size.y) / 2)};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(picture.low, picture.high, true);
+  list.AddRectFilled({low.x - edge, low.y - edge}, {low.x + size.x + edge, low.y + size.y + edge},
+                     with_alpha(theme().bar, 0.9F), scaled(3));
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), low, theme().text, text.c_str(), nullptr, room);
+  list.PopClipRect();
+  ui_map.mark("lack:" + std::string(name_of(buffer)), {low.x, low.y, low.x + size.x, low.y + size.y});
+}
+
 }  // namespace
 
 void ContactSheet::draw_tile(BufferName buffer, const TileRect& picture) {
@@ -116,6 +136,7 @@ void ContactSheet::draw_tile(BufferName buffer, const TileRect& picture) {
     view_.filled = view_.filled ? std::nullopt : std::optional(buffer);
   }
   draw_picture(viewer_, view_, name, which, picture, picture);
+  draw_lack(ui_map_, buffer, document_.settings(), picture);
   const bool selected = view_.selected == buffer;
   const float out = selected ? scaled(1) : 0;
   list.AddRect({picture.low.x - out, picture.low.y - out}, {picture.high.x + out, picture.high.y + out},

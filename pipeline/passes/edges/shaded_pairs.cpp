@@ -14,14 +14,16 @@ constexpr BufferInfo kPairAngles{.name = "pair_angles",
                                      "Degrees between a pixel's surface and that on its right and above "
                                      "it; below 0 where a crease would be theirs. Other methods: 0.",
                                  .channels = 2,
-                                 .gain = &DisplayParams::pair_angles_gain};
+                                 .gain = &DisplayParams::pair_angles_gain,
+                                 .matters_when = "edges.method = dihedral"};
 constexpr BufferInfo kPairGaps{.name = "pair_gaps",
                                .help =
                                    "How far a pixel and those on its right and above it are off each "
                                    "other's planes, in pixels' sizes; below 0 where a step would be "
                                    "theirs. Other methods: 0.",
                                .first_channel = 2,
-                               .channels = 2};
+                               .channels = 2,
+                               .matters_when = "edges.method = dihedral"};
 
 /// shaded_pairs_block of shaders/shaded_pairs.frag in std140.
 struct ShadedPairsBlock {

@@ -17,7 +17,8 @@ constexpr BufferInfo kMotion{.name = "motion",
                                  "Where each point stood in the frame before, in px to the right and down; "
                                  "grey where it did not move or there is none.",
                              .channels = 2,
-                             .shown_as = ShownAs::offset};
+                             .shown_as = ShownAs::offset,
+                             .looks_back = true};
 
 constexpr int kModelsAtOnce = 128;  // motion.frag has the same
 
