@@ -23,9 +23,9 @@ struct SquaresBlock {
 };
 inline const UniformBlock kSquaresBlock{"squares_block", sizeof(SquaresBlock)};
 
-/// Draws a program with one of those vertex shaders. `reach_px`: how far from a pixel a line matters to it,
-/// of no account to tiles.vert. Samplers in the program's order, the vertex shader's map among them; blocks
-/// too, of which the last is added here.
+/// Draws a program with one of those vertex shaders. `reach_px`: how far from a pixel something matters to
+/// it. Samplers in the program's order, the vertex shader's map among them; blocks too, of which the last is
+/// added here.
 void draw_over_tiles(const Texture& target, const Program& program, int reach_px,
                      std::initializer_list<const Texture*> maps, std::initializer_list<const Buffer*> blocks);
 
