@@ -127,6 +127,10 @@ void Pipeline::check_room(const ImageParams& image, const std::string& where, co
   drawn_px_ = pixels;
 }
 
+void Pipeline::keep_frames(size_t count) {
+  for (const auto& node : flow_.nodes()) node->keep_frames(count);
+}
+
 void Pipeline::forget_results() {
   drawn_px_ = 0;
   for (const auto& node : flow_.nodes()) node->forget();

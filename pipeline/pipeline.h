@@ -138,6 +138,10 @@ class Pipeline {
   /// The most px a side that are drawn at once for a supersampled picture, as far as that can be.
   void set_tile_px(int px) { tile_px_ = px; }
 
+  /// Keeps what the last `count` different frames' passes made, so that taking turns between so many views
+  /// draws nothing again that only a view decides. Takes the memory of so many frames.
+  void keep_frames(size_t count);
+
   /// Drops every pass's value and its memory, so that the next frame runs each pass it needs; meshes and
   /// programs stay, and so does what other pipelines left in the context's pool.
   void forget_results();

@@ -15,9 +15,6 @@
 
 namespace inkbench {
 
-/// How the first line of a preset begins; by it a preset is told from other scene files.
-inline constexpr std::string_view kPresetMark = "# inkbench preset";
-
 /// Errors (input): a name that cannot be a file's: empty, over 100 bytes, with a control character or one of
 /// / \ : * ? " < > |, with a point or blank at its start or end, or not UTF-8.
 void check_preset_name(const std::string& name);

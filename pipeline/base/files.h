@@ -47,6 +47,9 @@ using FileSink = std::function<void(std::span<const uint8_t>)>;
 void write_file_atomically(const fs::path& path, const std::function<void(const FileSink&)>& produce,
                            Sync sync = Sync::now);
 
+/// Adds to the end of a file that is there. Errors (work): it cannot be written, full disk.
+void append_to_file(const fs::path& path, std::string_view text);
+
 /// Waits until a file's content, or a folder's names, are on the disk. Errors (work): they cannot be.
 void sync_path(const fs::path& path);
 

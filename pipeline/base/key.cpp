@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cstring>
+#include <utility>
 
 namespace inkbench {
 namespace {
@@ -35,6 +37,17 @@ KeyBuilder& KeyBuilder::add_bytes(std::span<const uint8_t> bytes) {
   std::memcpy(prefix, &size, 8);
   state_ = fold(fold(state_, prefix), bytes);
   return *this;
+}
+
+std::optional<Key> key_from(std::string_view text) {
+  constexpr size_t kDigits = 16;
+  if (text.size() != 2 * kDigits) return std::nullopt;
+  Key key;
+  for (const auto& [part, from] : {std::pair(&key.high, text.data()), {&key.low, text.data() + kDigits}}) {
+    const auto [end, error] = std::from_chars(from, from + kDigits, *part, 16);
+    if (error != std::errc() || end != from + kDigits) return std::nullopt;
+  }
+  return key;
 }
 
 KeyBuilder& KeyBuilder::add(std::string_view part) {

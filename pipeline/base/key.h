@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,9 @@ struct Key {
 };
 
 __extension__ using Uint128 = unsigned __int128;
+
+/// The key whose text that is; nothing where it is none.
+std::optional<Key> key_from(std::string_view text);
 
 /// Folds parts into a key. Each part is length-prefixed, so ("ab", "c") and ("a", "bc") differ.
 class KeyBuilder {

@@ -38,6 +38,16 @@ void sync_descriptor(const Descriptor& file, const fs::path& path) {
 
 }  // namespace
 
+void append_to_file(const fs::path& path, std::string_view text) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
+  const ssize_t written = descriptor < 0 ? -1 : write(descriptor, text.data(), text.size());
+  const int number = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (written == static_cast<ssize_t>(text.size())) return;
+  throw work_error(path.string(),
+                   "a row could not be added: " + std::string(std::strerror(written < 0 ? number : ENOSPC)));
+}
+
 void sync_path(const fs::path& path) {
   const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open()) throw work_error(path.string(), "cannot be opened", system_reason(errno));

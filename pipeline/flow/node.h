@@ -46,6 +46,8 @@ class NodeBase {
   virtual void forget() = 0;
   virtual std::vector<Program*> programs() = 0;
   virtual bool looks_back() const = 0;
+  /// Holds the values of so many frames, where others look at earlier ones or frames take turns.
+  virtual void keep_frames(size_t count) = 0;
 
  private:
   std::string_view name_;
@@ -58,8 +60,6 @@ class Node : public NodeBase {
  public:
   using NodeBase::NodeBase;
   virtual std::shared_ptr<const Value> get(const FrameState& frame) = 0;
-  /// Of so many frames, where others look at earlier ones.
-  virtual void keep_frames(size_t count) = 0;
 };
 
 }  // namespace inkbench

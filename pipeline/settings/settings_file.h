@@ -37,6 +37,10 @@ using ParamVisitor = std::function<void(const Param& param, const TomlNode& node
 void visit_table(Settings& settings, const TomlNode& table, const std::string& prefix,
                  const std::string& name, const ParamVisitor& visit);
 
+/// How the first line of a preset begins, a scene file of all settings; by it it is told from other scene
+/// files.
+inline constexpr std::string_view kPresetMark = "# inkbench preset";
+
 /// All of the settings as TOML; reading it back gives equal settings.
 std::string settings_text(const Settings& settings);
 

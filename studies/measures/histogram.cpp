@@ -23,6 +23,12 @@ void Histogram::for_each(const std::function<void(int64_t, int64_t)>& use) const
   for (const auto& [value, count] : large_) use(value, count);
 }
 
+std::vector<std::pair<int64_t, int64_t>> Histogram::counts() const {
+  std::vector<std::pair<int64_t, int64_t>> counts;
+  for_each([&](int64_t value, int64_t count) { counts.emplace_back(value, count); });
+  return counts;
+}
+
 double Histogram::mean(const Map& map) const {
   if (total_ == 0) return 0;
   double sum = 0;

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace inkbench {
 
@@ -17,6 +19,8 @@ class Histogram {
   void add(int64_t value, int64_t count = 1);
   void add(const Histogram& other);
   int64_t total() const { return total_; }
+  /// Each value that occurs, rising, and how often.
+  std::vector<std::pair<int64_t, int64_t>> counts() const;
 
   /// The mean of `map(value)`; 0 where there are none.
   double mean(const Map& map) const;

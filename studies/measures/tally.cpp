@@ -195,12 +195,21 @@ ShareCounts tally_recall(const LineMap& prediction, const LineMap& class_lines, 
   return {matched_count(counted_lines(prediction), lines, tolerance_px), lines.count()};
 }
 
+CountedReference counted_reference(const LineMap& reference, const LineMap* allowed) {
+  LineMap wanted = counted_lines(reference);
+  LineMap both = allowed == nullptr ? wanted : united(wanted, counted_lines(*allowed));
+  return {std::move(wanted), std::move(both)};
+}
+
+F1Counts tally_f1(const LineMap& prediction, const CountedReference& reference, double tolerance_px) {
+  const LineMap counted = counted_lines(prediction);
+  return {counted.count(), reference.wanted.count(),
+          {matched_count(counted, reference.wanted, tolerance_px),
+           matched_count(counted, reference.both_tiers, tolerance_px)}};
+}
+
 F1Counts tally_f1(const LinesToMeasure& lines) {
-  const Thinned counted{counted_lines(lines.prediction), counted_lines(lines.reference)};
-  const LineMap both_tiers =
-      lines.allowed == nullptr ? counted.reference : united(counted.reference, counted_lines(*lines.allowed));
-  return {counted.prediction.count(), counted.reference.count(),
-          match_counts(counted, lines.allowed == nullptr ? nullptr : &both_tiers, lines.tolerance_px)};
+  return tally_f1(lines.prediction, counted_reference(lines.reference, lines.allowed), lines.tolerance_px);
 }
 
 double f1_of(const F1Counts& counts) {

@@ -78,6 +78,14 @@ struct F1Counts {
 
 F1Counts tally_f1(const LinesToMeasure& lines);
 
+/// Reference lines against which many predictions are measured: thinned once.
+struct CountedReference {
+  LineMap wanted, both_tiers;
+};
+CountedReference counted_reference(const LineMap& reference, const LineMap* allowed);
+/// The same counts. Sizes must be the same.
+F1Counts tally_f1(const LineMap& prediction, const CountedReference& reference, double tolerance_px);
+
 /// The F: 1 where neither has a line, 0 where one has none.
 double f1_of(const F1Counts& counts);
 

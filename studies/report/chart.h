@@ -38,7 +38,8 @@ struct ChartFilter {
 struct Chart {
   std::string name;  ///< Stem of its files: letters a to z, digits, '_' and '-'.
   std::string title;
-  std::string study;  ///< The study's title.
+  std::string study;               ///< The study's title.
+  std::string table = "data.csv";  ///< The file beside the charts' folder that holds the table.
   ChartKind kind = ChartKind::lines;
   ChartColumn x;
   std::vector<ChartColumn> y;        ///< At least one; of a heat map exactly one: its rows.
@@ -59,8 +60,8 @@ struct Chart {
 /// measured. Errors (input, without a place): too many curves, panels or cells, several rows for one point.
 void check_chart(const Chart& chart, const CsvTable& planned);
 
-/// The script that draws NAME.svg and NAME.png beside itself. It reads ../data.csv where gnuplot can pick the
-/// rows, else it holds the data. Errors (input, as `check_chart`; work: a column that is not there).
+/// The script that draws NAME.svg and NAME.png beside itself. It reads the table's file where gnuplot can
+/// pick the rows, else it holds the data. Errors (input, as `check_chart`; work: a column that is not there).
 std::string chart_script(const Chart& chart, const CsvTable& table);
 
 }  // namespace inkbench

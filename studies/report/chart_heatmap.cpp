@@ -158,7 +158,7 @@ class HeatScript {
 
   void write_file_cells() {
     script_.line("# The cells: column, row and value, for each panel from its own rows of the table.");
-    write_data_source(script_);
+    write_data_source(script_, chart_.table);
     script_.line("array x_names{}", names(data_.columns)).line("array y_names{}", names(data_.rows));
     script_.line("x_place(text) = sum [i = 1:|x_names|] (x_names[i] eq text ? i : 0)");
     script_.line("y_place(text) = sum [i = 1:|y_names|] (y_names[i] eq text ? i : 0)");
@@ -175,8 +175,8 @@ class HeatScript {
   }
 
   void write_own_cells() {
-    script_.line("# The cells: column, row and value, NaN where there is none. Picked from data.csv{}.",
-                 chart_.best_of ? ": the best cells" : "");
+    script_.line("# The cells: column, row and value, NaN where there is none. Picked from {}{}.",
+                 chart_.table, chart_.best_of ? ": the best cells" : "");
     for (size_t panel = 0; panel < data_.panels.size(); ++panel) {
       script_.line("$cells_{} << END", panel + 1);
       for (size_t row = 0; row < rows_.size(); ++row) {

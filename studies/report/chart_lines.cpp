@@ -172,7 +172,7 @@ class LinesScript {
 
   void write_file_curves() {
     script_.line("# The curves, each from its own rows of the table.");
-    write_data_source(script_);
+    write_data_source(script_, chart_.table);
     if (!data_.categories.empty()) {
       std::vector<std::string> names;
       for (const std::string& field : data_.categories) names.push_back(literal(field));
@@ -193,7 +193,7 @@ class LinesScript {
   }
 
   void write_own_curves() {
-    script_.line("# The curves: x and y, NaN where there is no value. Picked from data.csv: {}.",
+    script_.line("# The curves: x and y, NaN where there is no value. Picked from {}: {}.", chart_.table,
                  chart_.best_of ? "the best cells" : "sorted, as gnuplot cannot");
     for_each_curve([&](size_t panel, size_t i, const LineCurve& curve) {
       script_.line("{} << END", block(i, panel));

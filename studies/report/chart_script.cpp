@@ -146,8 +146,8 @@ bool is_plain(const CsvTable& table, const Chart& chart) {
   return true;
 }
 
-void write_data_source(ScriptText& script) {
-  script.line("data = folder.'../data.csv'");
+void write_data_source(ScriptText& script, const std::string& table) {
+  script.line("data = folder.'../{}'", table);
   script.line("set datafile separator ','");
   script.line("set datafile columnheaders");
   script.line(

@@ -56,7 +56,7 @@ void write_foot(ScriptText& script);
 bool is_plain(const CsvTable& table, const Chart& chart);
 
 /// Opens data.csv in the script, so that column('f1') and strcol('f1') work.
-void write_data_source(ScriptText& script);
+void write_data_source(ScriptText& script, const std::string& table);
 
 /// The condition in gnuplot that picks the chart's rows, all of which worked; "" where all count. `panel` and
 /// `by` are fields.

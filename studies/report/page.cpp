@@ -90,6 +90,27 @@ std::string charts_html(const StudyPage& page) {
          figures + "</div></section>";
 }
 
+std::string row_html(const std::vector<std::string>& fields, const std::string& tag) {
+  std::string cells;
+  for (const std::string& field : fields) cells += "<" + tag + ">" + html_text(field) + "</" + tag + ">";
+  return "<tr>" + cells + "</tr>";
+}
+
+std::string table_html(const PageTable& table) {
+  std::string rows;
+  for (const std::vector<std::string>& row : table.rows) rows += row_html(row, "td");
+  return "<section class=\"findings\"><div class=\"section-head\"><h2>" + html_text(table.title) +
+         "</h2></div>" + (table.note.empty() ? "" : "<p class=\"note\">" + html_text(table.note) + "</p>") +
+         "<div class=\"findings-box\"><table><thead>" + row_html(table.columns, "th") + "</thead><tbody>" +
+         rows + "</tbody></table></div></section>\n";
+}
+
+std::string tables_html(const StudyPage& page) {
+  std::string text;
+  for (const PageTable& table : page.tables) text += table_html(table);
+  return text;
+}
+
 std::string facts_html(const StudyPage& page) {
   std::string items;
   for (const std::string& fact : page.facts) items += "<li>" + html_text(fact) + "</li>";
@@ -121,6 +142,9 @@ Fields fields_of(const StudyPage& page) {
   return {{"version", INKBENCH_VERSION},
           {"title", html_text(page.title)},
           {"purpose", html_text(page.purpose)},
+          {"kind", html_text(page.kind)},
+          {"verdict", page.verdict.empty() ? "" : "<p class=\"verdict\">" + html_text(page.verdict) + "</p>"},
+          {"tables", tables_html(page)},
           {"facts", facts_html(page)},
           {"charts_link", page.charts.empty() ? "" : "<a href=\"#charts\" data-scroll>Charts</a>"},
           {"failures", failures_html(page)},

@@ -54,9 +54,19 @@ struct PageCause {
   std::string help;
 };
 
+/// A small table of its own, beside that of the cells.
+struct PageTable {
+  std::string title;
+  std::string note;  ///< What it says, in a sentence or two; may be empty.
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;  ///< A field for each column.
+};
+
 struct StudyPage {
+  std::string kind = "study";  ///< What made it: "inkbench study".
   std::string title;
   std::string purpose;
+  std::string verdict;             ///< What came out, in a sentence, first of all; may be empty.
   std::vector<std::string> facts;  ///< Short ones, for one line.
   int width_px = 0;                ///< Of a picture.
   int height_px = 0;
@@ -69,6 +79,7 @@ struct StudyPage {
   size_t cell_count = 0;        ///< Of the study.
   std::vector<std::pair<std::string, std::string>> overlay_classes;  ///< Name and "#rrggbb", for the legend.
   std::vector<PageCause> causes;                                     ///< Empty where no cell has any.
+  std::vector<PageTable> tables;
   std::vector<PageChart> charts;
   std::vector<PageColumn> columns;
   std::string data_path = "data.csv";

@@ -24,13 +24,22 @@ std::vector<std::pair<std::string, std::string>> study_versions() {
           {"OpenImageIO", INKBENCH_OPENIMAGEIO_VERSION}};
 }
 
-std::string study_command(const StudySpec& spec) {
-  const fs::path path = fs::absolute(spec.path).lexically_normal();
+std::string spec_command(const std::string& word, const fs::path& spec_path,
+                         const std::vector<std::string>& assignments) {
+  const fs::path path = fs::absolute(spec_path).lexically_normal();
   const fs::path within = path.lexically_relative(project_root());
   const bool is_within = !within.empty() && *within.begin() != "..";
-  std::string command = "inkbench study " + shell_word((is_within ? within : path).string());
-  for (const std::string& assignment : spec.assignments) command += " --set " + shell_word(assignment);
+  std::string command = "inkbench " + word + " " + shell_word((is_within ? within : path).string());
+  for (const std::string& assignment : assignments) command += " --set " + shell_word(assignment);
   return command;
+}
+
+std::string study_command(const StudySpec& spec) {
+  return spec_command("study", spec.path, spec.assignments);
+}
+
+std::string made_by(const StudySpec& spec, const ReportExtras& extras) {
+  return extras.command.empty() ? study_command(spec) : extras.command;
 }
 
 namespace {
@@ -70,8 +79,8 @@ void mark_stopped(const fs::path& folder) noexcept {
   }
 }
 
-void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyResult& result,
-                    const std::string& state) {
+void write_manifest(const fs::path& folder, const StudySpec& spec, const std::string& command,
+                    const StudyResult& result, const std::string& state) {
   const RendererInfo renderer = renderer_info();
   nlohmann::ordered_json versions;
   for (const auto& [name, version] : study_versions()) versions[name] = version;
@@ -84,7 +93,7 @@ void write_manifest(const fs::path& folder, const StudySpec& spec, const StudyRe
       {"title", spec.title},
       {"state", state},
       {"version", INKBENCH_VERSION},
-      {"command", study_command(spec)},
+      {"command", command},
       {"renderer", {{"name", renderer.renderer}, {"vendor", renderer.vendor}, {"opengl", renderer.version}}},
       {"versions", versions},
       {"cells", result.progress.total},

@@ -80,7 +80,7 @@ class StudyRun {
  private:
   StudyResult run_to_the_end() {
     pipeline_.check_room(spec_.base.image);
-    write_manifest(folder_.path(), spec_, result_, "running");
+    write_manifest("running");
     draw_cells();
     if (fatal_) std::rethrow_exception(fatal_);
     folder_.finish();
@@ -89,17 +89,21 @@ class StudyRun {
     pipeline_.forget_results();  // room for the grid, so that it does not set the study's peak
     if (!result_.stopped) write_report_or_stop();
     result_.progress.seconds = seconds();
-    write_manifest(folder_.path(), spec_, result_, result_.stopped ? "stopped" : "finished");
+    write_manifest(result_.stopped ? "stopped" : "finished");
     return std::move(result_);
   }
 
   /// After a failure, of which a full disk is the likeliest.
   void write_stopped() noexcept {
     try {
-      write_manifest(folder_.path(), spec_, result_, "stopped");
+      write_manifest("stopped");
     } catch (const std::exception&) {
       mark_stopped(folder_.path());
     }
+  }
+
+  void write_manifest(const std::string& state) const {
+    inkbench::write_manifest(folder_.path(), spec_, made_by(spec_, options_.extras), result_, state);
   }
 
   std::vector<CellKeys> all_keys() {
@@ -130,9 +134,13 @@ class StudyRun {
   }
 
   void write_report() {
-    result_.charts = draw_study_charts(spec_, folder_.path(), result_.failures);
-    StudyPageWriter page(spec_, folder_, {study_command(spec_), renderer_info().renderer, study_versions()},
-                         result_.charts, tiles_);
+    result_.charts = options_.extras.charts;
+    for (DrawnChart& chart : draw_study_charts(spec_, folder_.path(), result_.failures))
+      result_.charts.push_back(std::move(chart));
+    StudyPageWriter page(
+        spec_, folder_,
+        {made_by(spec_, options_.extras), renderer_info().renderer, study_versions(), options_.extras},
+        result_.charts, tiles_);
     tiles_.keep_missing(folder_);
     result_.grids = write_study_grid(spec_, folder_, [&](size_t cell, size_t shown) {
       KeptPicture kept = tiles_.get(folder_, cell, shown);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "pipeline/pipeline.h"
+#include "studies/sweep/report_extras.h"
 #include "studies/sweep/result_origin.h"
 #include "studies/sweep/spec.h"
 #include "studies/sweep/study_charts.h"
@@ -36,6 +37,7 @@ struct StudyOptions {
       on_progress;  ///< After each cell, from any thread, one at a time.
   /// What makes the results; this build and the current context without it.
   std::optional<ResultOrigin> origin;
+  ReportExtras extras;
 };
 
 struct StudyResult {

@@ -15,6 +15,7 @@
 #include "studies/sweep/number_columns.h"
 #include "studies/sweep/spec.h"
 #include "studies/sweep/spec_axes.h"
+#include "studies/sweep/spec_base.h"
 #include "studies/sweep/spec_sets.h"
 
 namespace inkbench {
@@ -36,14 +37,11 @@ class SpecReader {
                                  "axis", "variant", "view", "path", "chart"});
     spec_.title = toml_.text_entry(document_, "title", path_.stem().string());
     spec_.purpose = toml_.text_entry(document_, "purpose", "");
-    spec_.base = load_scene_file(scene_path());
-    read_size();
+    spec_.base = read_base(document_, path_, assignments);
     read_show();
     read_grid_px();
     if (const TomlNode* path = document_.find("path")) spec_.camera_path = read_path(*path, path_.string());
     read_measures();
-    read_set();
-    for (const std::string& assignment : assignments) apply_assignment(spec_.base, assignment);
     spec_.axes = read_axes(document_, spec_);
     spec_.variants = read_variants(document_, spec_);
     spec_.views = read_views(document_, spec_);
@@ -55,33 +53,6 @@ class SpecReader {
   }
 
  private:
-  fs::path scene_path() const {
-    const TomlNode* node = document_.find("scene");
-    if (node == nullptr) return project_file("data/scenes/paper.toml");
-    const std::string scene = toml_.text_of(*node, "scene");
-    for (const fs::path& candidate : {path_.parent_path() / scene, project_root() / scene}) {
-      std::error_code error;
-      if (fs::is_regular_file(candidate, error)) return candidate;
-    }
-    throw input_error(toml_.at(*node), "scene \"" + scene + "\" was not found",
-                      "give a path relative to this file or to " + project_root().string());
-  }
-
-  void read_size() {
-    const TomlNode* node = document_.find("size");
-    if (node == nullptr) return;
-    const bool pair = node->is_array() && node->items.size() == 2;
-    if (!pair)
-      throw input_error(toml_.at(*node), "size is " + node->kind_name(), "it must be [width, height] in px");
-    set_value("image.width", node->items[0], toml_.at(*node));
-    set_value("image.height", node->items[1], toml_.at(*node));
-  }
-
-  void set_value(const std::string& key, const TomlNode& node, const std::string& where) {
-    const Param param = find_param(spec_.base, key, where);
-    param.set(value_from_toml(param, node, where, path_.parent_path().string()), where);
-  }
-
   void read_show() {
     const TomlNode* node = document_.find("show");
     std::vector<std::string> names{"final"};
@@ -103,14 +74,6 @@ class SpecReader {
       throw input_error(toml_.at(*node), "grid_px is no side of a picture",
                         "give a whole number from 32 to 16384");
     spec_.grid_px = static_cast<int>(node->integer);
-  }
-
-  void read_set() {
-    const TomlNode* set = document_.find("set");
-    if (set == nullptr) return;
-    if (!set->is_table())
-      throw input_error(toml_.at(*set), "set is " + set->kind_name(), "it must be a table: [set]");
-    apply_table(spec_.base, *set, path_.string(), path_.parent_path());
   }
 
   void read_measures() {

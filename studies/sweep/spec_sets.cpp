@@ -14,12 +14,12 @@ namespace inkbench {
 namespace {
 
 /// It becomes part of file names.
-void check_view_name(const std::string& name, const std::string& where) {
+void check_part_name(const std::string& kind, const std::string& name, const std::string& where) {
   const bool good = !name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
   if (good) return;
-  throw input_error(where, "a view is named \"" + name + "\"",
+  throw input_error(where, "a " + kind + " is named \"" + name + "\"",
                     "its files bear its name: use 1 to 40 of a-z, 0-9, - and _");
 }
 
@@ -40,6 +40,13 @@ class SetsReader {
     return sets;
   }
 
+  std::vector<NamedSet> sets(const TomlNode& document, const std::string& kind) {
+    const std::vector<const TomlNode*> tables = tables_of(document, kind);
+    const std::vector<NamedSet> sets = named_sets(kind, tables);
+    for (size_t i = 0; i < sets.size(); ++i) check_part_name(kind, sets[i].name, toml_.at(*tables[i]));
+    return sets;
+  }
+
   std::vector<NamedSet> views(const TomlNode& document) {
     const std::vector<const TomlNode*> tables = tables_of(document, "view");
     if (spec_.camera_path && !tables.empty())
@@ -49,7 +56,7 @@ class SetsReader {
     const std::vector<NamedSet> sets = named_sets("view", tables);
     for (size_t i = 0; i < sets.size(); ++i) {
       const std::string where = toml_.at(*tables[i]);
-      check_view_name(sets[i].name, where);
+      check_part_name("view", sets[i].name, where);
       for (const Assignment& assignment : sets[i].set) check_not_varied(assignment.key, where);
     }
     return sets;
@@ -139,6 +146,10 @@ class SetsReader {
 
 std::vector<NamedSet> read_variants(const TomlNode& document, const StudySpec& spec) {
   return SetsReader(spec).variants(document);
+}
+
+std::vector<NamedSet> read_sets(const TomlNode& document, const std::string& kind, const StudySpec& spec) {
+  return SetsReader(spec).sets(document, kind);
 }
 
 std::vector<NamedSet> read_views(const TomlNode& document, const StudySpec& spec) {

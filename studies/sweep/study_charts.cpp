@@ -4,7 +4,6 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/scratch_folder.h"
-#include "pipeline/base/stop.h"
 #include "pipeline/base/text.h"
 #include "pipeline/image/image_content.h"
 #include "pipeline/image/png_chunks.h"
@@ -54,19 +53,24 @@ DrawnChart chart_in(const fs::path& folder, const Chart& chart) {
   return {chart.name, chart.title, stem + ".svg", stem + ".png", stem + ".gp"};
 }
 
+DrawnChart draw_chart(const Chart& chart, const fs::path& folder) {
+  DrawnChart drawn = chart_in(folder, chart);
+  try {
+    draw(chart, parse_csv(read_file(folder / chart.table)), drawn);
+  } catch (...) {
+    remove_pictures(drawn);
+    throw;
+  }
+  return drawn;
+}
+
 std::vector<DrawnChart> draw_study_charts(const StudySpec& spec, const fs::path& folder,
                                           std::vector<std::string>& failures) {
   std::vector<DrawnChart> result;
   for (const Chart& chart : spec.charts) {
-    DrawnChart drawn = chart_in(folder, chart);
     try {
-      draw(chart, parse_csv(read_file(folder / "data.csv")), drawn);
-      result.push_back(std::move(drawn));
-    } catch (const Stopped&) {
-      remove_pictures(drawn);
-      throw;
+      result.push_back(draw_chart(chart, folder));
     } catch (const Error& error) {
-      remove_pictures(drawn);
       failures.push_back("chart " + chart.name + ": " + error.what());
     }
   }

@@ -305,17 +305,6 @@ void StudyFolder::rewrite() const {
   write_file_atomically(folder_ / kData, data_text());
 }
 
-void StudyFolder::append(const fs::path& path, const std::string& line) const {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
-  const ssize_t written = descriptor < 0 ? -1 : write(descriptor, line.data(), line.size());
-  const int number = errno;
-  if (descriptor >= 0) close(descriptor);
-  if (written != static_cast<ssize_t>(line.size())) {
-    throw work_error(path.string(), "a row could not be added: " +
-                                        std::string(std::strerror(written < 0 ? number : ENOSPC)));
-  }
-}
-
 void StudyFolder::add(size_t index, std::vector<std::string> numbers,
                       const std::vector<std::string>& overlays) {
   CellRecord record{.index = index,
@@ -332,8 +321,8 @@ void StudyFolder::add(size_t index, std::vector<std::string> numbers,
     record.files = std::move(drawn->second.files);
     unmeasured_.erase(drawn);
   }
-  append(folder_ / kData, csv_line(row(index, record.numbers, "")));
-  append(folder_ / kJournal, journal_line(record));
+  append_to_file(folder_ / kData, csv_line(row(index, record.numbers, "")));
+  append_to_file(folder_ / kJournal, journal_line(record));
   for (const auto* files : {&record.files, &record.overlays}) {
     for (const FileRecord& file : *files) unsynced_.insert(file.name);
   }
@@ -358,7 +347,7 @@ void StudyFolder::sync(const std::set<std::string>& files) const {
 void StudyFolder::add_failure(size_t index, const std::string& message) {
   const std::lock_guard lock(mutex_);
   failed_[index] = message;
-  append(folder_ / kData, csv_line(row(index, {}, message)));
+  append_to_file(folder_ / kData, csv_line(row(index, {}, message)));
 }
 
 void StudyFolder::finish() {

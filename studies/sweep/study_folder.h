@@ -92,7 +92,6 @@ class StudyFolder {
   void rewrite() const;
   /// Waits until the files, and what was written of them, are on the disk.
   void sync(const std::set<std::string>& files) const;
-  void append(const std::filesystem::path& path, const std::string& line) const;
 
   const StudySpec& spec_;
   std::filesystem::path folder_;

@@ -120,6 +120,10 @@ StudyPage make_page(const StudySpec& spec, const StudyFolder& folder, const Stud
   }
   if (finds_causes(spec)) page.causes = page_causes();
   page.charts = page_charts(charts);
+  page.kind = origin.extras.kind;
+  page.verdict = origin.extras.verdict;
+  page.tables = origin.extras.tables;
+  page.links = origin.extras.links;
   page.command = origin.command;
   page.versions = origin.versions;
   page.spec_name = spec.path.filename().string();
@@ -165,7 +169,8 @@ void StudyPageWriter::make_thumbnail(size_t cell, size_t shown) {
 fs::path StudyPageWriter::write(const std::vector<fs::path>& grids) {
   workers_.wait();
   if (failure_) std::rethrow_exception(failure_);
-  page_.links = {{"data.csv", "data.csv"}, {"manifest.json", "manifest.json"}};
+  page_.links.push_back({"data.csv", "data.csv"});
+  page_.links.push_back({"manifest.json", "manifest.json"});
   for (const fs::path& grid : grids)
     page_.links.push_back({grid.filename().string(), grid.filename().string()});
   const fs::path path = folder_ / "index.html";

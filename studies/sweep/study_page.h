@@ -13,6 +13,7 @@
 #include "studies/report/page.h"
 #include "studies/report/thumbnail.h"
 #include "studies/sweep/cell_tiles.h"
+#include "studies/sweep/report_extras.h"
 #include "studies/sweep/spec.h"
 #include "studies/sweep/study_charts.h"
 #include "studies/sweep/study_folder.h"
@@ -25,6 +26,7 @@ struct StudyOrigin {
   std::string command;
   std::string renderer;
   std::vector<std::pair<std::string, std::string>> versions;
+  ReportExtras extras;
 };
 
 class StudyPageWriter {

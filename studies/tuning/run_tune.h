@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A whole search into a folder: the journal while it runs, then tuned.toml, trace.csv, box.csv, profiles.csv,
+// tuning.json, charts and a report with pictures before and after. Continues what an earlier run of the same
+// search measured.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pipeline/pipeline.h"
+#include "studies/tuning/tune_report.h"
+
+namespace inkbench {
+
+struct TuneOptions {
+  std::filesystem::path folder;
+  bool fresh = false;  ///< Forget what an earlier run measured.
+  TuneProgress on_progress;
+  std::string command;  ///< That was given.
+};
+
+struct TuneOutcome {
+  TuneResult result;
+  TuneCost cost;
+  std::string verdict;
+  std::filesystem::path preset, page;  ///< `page` is empty where the search was stopped.
+  std::vector<std::string> problems;   ///< Why candidates, charts or pictures could not be made.
+};
+
+/// Errors (input): no candidate could be drawn; (work): the folder cannot be written.
+TuneOutcome run_tune(Pipeline& pipeline, const TuneSpec& spec, const TuneOptions& options);
+
+}  // namespace inkbench
