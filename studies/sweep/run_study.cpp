@@ -30,7 +30,7 @@
 #include "studies/sweep/study_grid.h"
 #include "studies/sweep/study_page.h"
 #include "studies/sweep/view_frames.h"
-#include "studies/sweep/worker_pool.h"
+#include "pipeline/base/worker_pool.h"
 
 namespace inkbench {
 namespace {
