@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <vector>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
@@ -12,24 +13,34 @@
 namespace inkbench {
 namespace {
 
-const std::vector<std::string> kCountColumns{"picture", "threshold",  "predicted",
-                                             "right",   "referenced", "found"};
+const std::vector<std::string> kColumns{"threshold", "precision", "recall",     "f1",
+                                        "predicted", "right",     "referenced", "found"};
+constexpr const char* kOwnBest = "own";  ///< In place of a threshold.
 
-std::vector<std::string> count_fields(const StrengthCounts& counts) {
-  return {std::to_string(counts.predicted), std::to_string(counts.right), std::to_string(counts.referenced),
-          std::to_string(counts.found)};
+std::string counts_line(const std::string& threshold, const StrengthCounts& counts) {
+  return csv_line(std::vector<std::string>{threshold, shortest(precision_of(counts)),
+                                           shortest(recall_of(counts)), shortest(f_of(counts)),
+                                           std::to_string(counts.predicted), std::to_string(counts.right),
+                                           std::to_string(counts.referenced), std::to_string(counts.found)});
 }
 
 std::string threshold_text(int number) {
   return fmt::format("{:.2f}", threshold_of(number));
 }
 
+[[noreturn]] void throw_no_curve(const std::string& where) {
+  throw work_error(where, "is no table of a curve", "run the study again");
+}
+
 int64_t count_in(const std::string& field, const std::string& where) {
   int64_t value = -1;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size() || value < 0)
-    throw work_error(where, "is no table of counts", "run the study again");
+  if (error != std::errc() || end != field.data() + field.size() || value < 0) throw_no_curve(where);
   return value;
+}
+
+StrengthCounts counts_in(const std::vector<std::string>& row, const std::string& where) {
+  return {count_in(row[4], where), count_in(row[5], where), count_in(row[6], where), count_in(row[7], where)};
 }
 
 CurvePoint point_of(const StrengthCounts& counts) {
@@ -39,41 +50,21 @@ CurvePoint point_of(const StrengthCounts& counts) {
 }  // namespace
 
 std::string curve_csv(const CurveCounts& curve) {
-  std::string text = csv_line(std::vector<std::string>{"threshold", "precision", "recall", "f1", "predicted",
-                                                       "right", "referenced", "found"});
-  for (int i = 0; i < kThresholds; ++i) {
-    const StrengthCounts& counts = curve[i];
-    std::vector<std::string> fields{threshold_text(i), shortest(precision_of(counts)),
-                                    shortest(recall_of(counts)), shortest(f_of(counts))};
-    for (std::string& field : count_fields(counts)) fields.push_back(std::move(field));
-    text += csv_line(fields);
-  }
+  std::string text = csv_line(kColumns);
+  for (int i = 0; i < kThresholds; ++i) text += counts_line(threshold_text(i), curve[i]);
   return text;
 }
 
-std::string counts_csv(const std::vector<CurveCounts>& pictures) {
-  std::string text = csv_line(kCountColumns);
-  for (size_t picture = 0; picture < pictures.size(); ++picture) {
-    for (int i = 0; i < kThresholds; ++i) {
-      std::vector<std::string> fields{std::to_string(picture + 1), threshold_text(i)};
-      for (std::string& field : count_fields(pictures[picture][i])) fields.push_back(std::move(field));
-      text += csv_line(fields);
-    }
-  }
-  return text;
+std::string whole_curve_csv(const StrengthCurve& curve) {
+  return curve_csv(curve.pooled()) + counts_line(kOwnBest, curve.at_own_best());
 }
 
-std::vector<CurveCounts> counts_from_csv(std::string_view text, const std::string& where) {
+StrengthCurve curve_from_csv(std::string_view text, const std::string& where) {
   const CsvTable table = parse_csv(text);
-  if (table.columns != kCountColumns || table.rows.size() % kThresholds != 0)
-    throw work_error(where, "is no table of counts", "run the study again");
-  std::vector<CurveCounts> pictures(table.rows.size() / kThresholds);
-  for (size_t i = 0; i < table.rows.size(); ++i) {
-    const std::vector<std::string>& row = table.rows[i];
-    pictures[i / kThresholds][i % kThresholds] = {count_in(row[2], where), count_in(row[3], where),
-                                                  count_in(row[4], where), count_in(row[5], where)};
-  }
-  return pictures;
+  if (table.columns != kColumns || table.rows.size() != kThresholds + 1) throw_no_curve(where);
+  CurveCounts pooled;
+  for (int i = 0; i < kThresholds; ++i) pooled[i] = counts_in(table.rows[i], where);
+  return {pooled, counts_in(table.rows.back(), where)};
 }
 
 StrengthCurveLine chart_line(const std::string& label, const StrengthCurve& curve) {

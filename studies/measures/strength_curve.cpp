@@ -95,9 +95,13 @@ std::optional<double> average_precision(const CurveCounts& curve) {
 }
 
 void StrengthCurve::add(const CurveCounts& image) {
-  ++images_;
   add_counts(pooled_, image);
   at_own_best_.add(image[best_threshold(image)]);
+}
+
+void StrengthCurve::add(const StrengthCurve& other) {
+  add_counts(pooled_, other.pooled_);
+  at_own_best_.add(other.at_own_best_);
 }
 
 bool StrengthCurve::empty() const {

@@ -26,9 +26,14 @@ std::optional<double> average_precision(const CurveCounts& curve);
 /// Images, one after the other and in any order.
 class StrengthCurve {
  public:
-  void add(const CurveCounts& image);
+  StrengthCurve() = default;
+  /// As an earlier one had them.
+  StrengthCurve(const CurveCounts& pooled, const StrengthCounts& at_own_best)
+      : pooled_(pooled), at_own_best_(at_own_best) {}
 
-  int images() const { return images_; }
+  void add(const CurveCounts& image);
+  void add(const StrengthCurve& other);
+
   const CurveCounts& pooled() const { return pooled_; }
   /// Of each image the counts at its own best threshold, added up.
   const StrengthCounts& at_own_best() const { return at_own_best_; }
@@ -41,7 +46,6 @@ class StrengthCurve {
   std::optional<double> ap() const { return average_precision(pooled_); }
 
  private:
-  int images_ = 0;
   CurveCounts pooled_{};
   StrengthCounts at_own_best_;
 };

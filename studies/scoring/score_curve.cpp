@@ -181,7 +181,7 @@ class CurveScorer {
     const std::lock_guard lock(mutex_);
     score_.curve.add(counts);
     score_.images[i] = {pairs_[i].name, best, counts[best]};
-    if (options_.on_progress) options_.on_progress(static_cast<size_t>(score_.curve.images()), pairs_.size());
+    if (options_.on_progress) options_.on_progress(++done_, pairs_.size());
   }
 
   void note_odd_curve() {
@@ -203,6 +203,7 @@ class CurveScorer {
   const CurveScoreOptions& options_;
   std::vector<SurveyedPair> surveyed_;
   CurveScore score_;
+  size_t done_ = 0;
   std::mutex mutex_;
 };
 
