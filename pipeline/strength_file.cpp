@@ -107,6 +107,7 @@ SurveyedFile survey_strengths(const fs::path& path) {
   if (file.says_itself) return file;
   file.light = ink_256ths(strengths_of_grey(strengths, false));
   file.dark = ink_256ths(strengths_of_grey(strengths, true));
+  file.clear = int64_t{256} * file.width_px * file.height_px - file.light - file.dark;
   return file;
 }
 

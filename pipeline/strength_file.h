@@ -21,8 +21,8 @@ struct SurveyedFile {
   int drawings = 1;                  ///< Of one image: annotators.
   bool says_itself = false;          ///< Light on dark for certain: inkbench's own, or ground truth.
   std::optional<BufferName> buffer;  ///< Of a file that inkbench exported.
-  /// Where it does not say: its strengths read either way, added up, in 256ths of a pixel.
-  int64_t light = 0, dark = 0;
+  /// Where it does not say: how much of it is light, dark and transparent, in 256ths of a pixel.
+  int64_t light = 0, dark = 0, clear = 0;
 };
 
 /// Reads the whole file once. Errors (input): as `read_image`; a strength that is no number, or not 0 to 1;

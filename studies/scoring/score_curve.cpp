@@ -51,11 +51,17 @@ void for_each_image(size_t count, size_t threads, const std::function<void(size_
 
 /// One side as all of its files have it.
 struct Side {
-  int64_t light = 0, dark = 0;
+  int64_t light = 0, dark = 0, clear = 0;
 
   void add(const SurveyedFile& file) {
     light += file.light;
     dark += file.dark;
+    clear += file.clear;
+  }
+  /// Lines are what there is less of; on a transparent ground, what there is more of.
+  bool lines_are_dark() const {
+    const bool ground_is_clear = clear >= light && clear >= dark;
+    return ground_is_clear ? dark > light : light > dark;
   }
 };
 
@@ -140,11 +146,12 @@ class CurveScorer {
 
   bool inverted(const char* side, const Side& sums) {
     if (options_.invert != Invert::automatic) return options_.invert == Invert::yes;
-    if (sums.light <= sums.dark) return false;
+    if (!sums.lines_are_dark()) return false;
     score_.notes.push_back(fmt::format(
         "{} are read as dark lines on light, all of them: {:.1f} % of them is light; --invert no takes the "
         "light",
-        side, 100 * static_cast<double>(sums.light) / static_cast<double>(sums.light + sums.dark)));
+        side,
+        100 * static_cast<double>(sums.light) / static_cast<double>(sums.light + sums.dark + sums.clear)));
     return true;
   }
 
