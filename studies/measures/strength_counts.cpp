@@ -67,13 +67,17 @@ CurveCounts count_strengths(const StrengthLevels& levels, std::span<const Tiered
   for (const TieredLines& drawing : drawings) matchers.emplace_back(drawing, tolerance_px);
   FallingCut cut(levels);
   CurveCounts curve;
-  std::optional<LineMap> last;
+  LineMap last(levels.width_px, levels.height_px);
+  StrengthCounts counts = counts_at(last, matchers);
   for (int i = kThresholds - 1; i >= 0; --i) {
     stop_if_asked(stop);
-    LineMap prediction = counted_lines(cut.at(i));
-    // Many a map holds fewer values than there are thresholds.
-    curve[i] = prediction == last ? curve[i + 1] : counts_at(prediction, matchers);
-    last = std::move(prediction);
+    // Many a map holds fewer values than there are thresholds, or thins to the same lines.
+    if (cut.grows_at(i)) {
+      LineMap prediction = counted_lines(cut.at(i));
+      if (prediction != last) counts = counts_at(prediction, matchers);
+      last = std::move(prediction);
+    }
+    curve[i] = counts;
   }
   return curve;
 }

@@ -25,6 +25,10 @@ StrengthLevels levels_of(const Image& strengths);
 class FallingCut {
  public:
   explicit FallingCut(const StrengthLevels& levels);
+  /// Whether threshold `number` has a line pixel that the one above has not.
+  bool grows_at(int number) const {
+    return end_[number] > (number + 1 == kThresholds ? 0 : end_[number + 1]);
+  }
   /// The map at threshold `number`, which must not be above that of the call before.
   const LineMap& at(int number);
 

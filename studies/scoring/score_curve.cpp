@@ -91,7 +91,7 @@ SurveyedPair survey(const ImagePair& pair) {
 
 /// Bytes, of one image at a time: its strengths as they are read, and what the matching knows of each pixel.
 double memory_of(const SurveyedPair& pair) {
-  constexpr double kOfStrengths = 32, kOfDrawing = 11;
+  constexpr double kOfStrengths = 12, kOfDrawing = 11;
   int drawings = 0;
   for (const SurveyedFile& file : pair.drawings) drawings += file.drawings;
   const double pixels = static_cast<double>(pair.prediction.width_px) * pair.prediction.height_px;
