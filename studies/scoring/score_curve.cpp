@@ -76,7 +76,7 @@ std::string size_text(const SurveyedFile& file) {
 
 SurveyedPair survey(const ImagePair& pair) {
   SurveyedPair result{survey_strengths(pair.prediction), {}};
-  for (const fs::path& path : pair.drawings) {
+  for (const std::filesystem::path& path : pair.drawings) {
     const SurveyedFile& drawing = result.drawings.emplace_back(survey_drawings(path));
     const bool same =
         drawing.width_px == result.prediction.width_px && drawing.height_px == result.prediction.height_px;
