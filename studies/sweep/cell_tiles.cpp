@@ -18,7 +18,7 @@
 #include "studies/report/page.h"
 #include "studies/sweep/number_columns.h"
 #include "studies/sweep/result_origin.h"
-#include "studies/sweep/worker_pool.h"
+#include "pipeline/base/worker_pool.h"
 
 namespace inkbench {
 namespace {
