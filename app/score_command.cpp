@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/hear_signals.h"
+#include "app/score_curve_command.h"
 #include "app/terminal.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/log.h"
@@ -23,9 +24,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ScoreOptions {
-  std::string prediction, reference, diff, invert = "auto";
+  std::string prediction, reference, diff, invert = "auto", out;
   std::optional<double> tolerance_px, cut;
-  bool json = false;
+  bool json = false, curve = false;
 };
 
 /// What is compared, and how.
@@ -59,7 +60,6 @@ Invert invert_of(const std::string& word) {
 }
 
 Scored read_both(const ScoreOptions& options) {
-  check_range("--tolerance", options.tolerance_px, kToleranceFromPx, kToleranceToPx, " px");
   check_range("--cut", options.cut, 0, 1, "");
   const LineFileOptions reading{invert_of(options.invert), options.cut};
   Scored scored{read_line_file(options.prediction, reading), read_line_file(options.reference, reading), {}};
@@ -142,7 +142,7 @@ void print_table(const ScoreOptions& options, const Scored& scored, const Drawin
   if (!options.diff.empty()) print_out("{}\n", options.diff);
 }
 
-void score(const ScoreOptions& options) {
+void score_lines(const ScoreOptions& options) {
   const Scored scored = read_both(options);
   if (!options.diff.empty()) {
     const LinesToMeasure lines = scored.lines();
@@ -155,33 +155,59 @@ void score(const ScoreOptions& options) {
   print_table(options, scored, tally);
 }
 
+void score(const ScoreOptions& options) {
+  check_range("--tolerance", options.tolerance_px, kToleranceFromPx, kToleranceToPx, " px");
+  if (!options.curve) return score_lines(options);
+  print_curve_score({options.prediction, options.reference, options.out, options.tolerance_px,
+                     invert_of(options.invert), options.json});
+}
+
 }  // namespace
 
 void add_score_command(CLI::App& app) {
   auto options = std::make_shared<ScoreOptions>();
   CLI::App* command = app.add_subcommand("score", "Measure drawn lines against reference lines");
-  command->add_option("PRED", options->prediction, "The drawn lines: an image")->required();
   command
-      ->add_option("REF", options->reference,
-                   "The lines that should be there, of the same size; the buffer reference says its classes")
+      ->add_option("PRED", options->prediction,
+                   "The drawn lines: an image; with --curve a strength map or a folder of them")
+      ->required();
+  command
+      ->add_option(
+          "REF", options->reference,
+          "The lines that should be there, of the same size; the buffer reference says its classes; with "
+          "--curve an image, or a folder of images, BSDS500's .mat files or folders of annotators' "
+          "images by the predictions' names")
       ->required();
   command->add_option("--tolerance", options->tolerance_px,
                       "How far apart two pixels may be to match, in px, 0 to 100; without it the reference's "
-                      "judge.tolerance, or 2");
-  command->add_option("--cut", options->cut,
-                      "Values from here on are line, 0 to 1; 0.5 without it (of 8 bits: over 127)");
+                      "judge.tolerance, or 2; with --curve 0.0075 x the diagonal");
+  CLI::Option* cut = command->add_option(
+      "--cut", options->cut, "Values from here on are line, 0 to 1; 0.5 without it (of 8 bits: over 127)");
   command
       ->add_option("--invert", options->invert,
-                   "Lines are dark on light: yes, no, or auto (without it): of each image what is less ink")
+                   "Lines are dark on light: yes, no, or auto (without it): of each image what is less ink, "
+                   "with --curve "
+                   "of all images of a side together")
       ->check(CLI::IsMember({"auto", "yes", "no"}));
   command->add_flag("--json", options->json, "Print one JSON object and nothing else");
-  command->add_option("--diff", options->diff,
-                      "Also write a PNG: matched black, missed blue, false vermillion, allowed grey");
+  CLI::Option* diff =
+      command->add_option("--diff", options->diff,
+                          "Also write a PNG: matched black, missed blue, false vermillion, allowed grey");
+  CLI::Option* curve = command->add_flag(
+      "--curve", options->curve,
+      "Strengths instead of lines: precision and recall at thresholds 0.01 to 0.99, ods, ois and ap");
+  curve->excludes(cut)->excludes(diff);
+  command
+      ->add_option(
+          "--out", options->out,
+          "With --curve: also write score.json, curve.csv, images.csv and the chart into this folder")
+      ->needs(curve);
   command->footer(
       "Images that inkbench wrote say themselves what of them is line.\n"
       "Examples:\n  inkbench render --buffers lines,reference --out out/a\n"
       "  inkbench score out/a/lines.png out/a/reference.png --diff out/diff.png\n"
-      "  inkbench score scan.png out/a/reference.png --cut 0.4 --json");
+      "  inkbench score scan.png out/a/reference.png --cut 0.4 --json\n"
+      "  inkbench score outputs BSDS500/data/groundTruth/test --curve --out out/scores");
   command->callback([options] {
     hear_signals();
     score(*options);

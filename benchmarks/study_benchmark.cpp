@@ -19,7 +19,7 @@
 #include "pipeline/gl/context.h"
 #include "pipeline/pipeline.h"
 #include "studies/sweep/run_study.h"
-#include "studies/sweep/worker_pool.h"
+#include "pipeline/base/worker_pool.h"
 
 namespace {
 

@@ -78,16 +78,6 @@ LineFile read_classes(const fs::path& path) {
   return file;
 }
 
-/// The buffer that the file says it is of; none for other images and for buffers that are not known here.
-std::optional<BufferName> buffer_of(const fs::path& path) {
-  if (!has_origin(path)) return std::nullopt;
-  const std::string name = read_image_text(path, std::string(kBufferEntry));
-  for (const BufferName buffer : all_buffers()) {
-    if (name_of(buffer) == name) return buffer;
-  }
-  return std::nullopt;
-}
-
 float largest_strength(const Image& grey, bool inverted) {
   float largest = 0;
   for (const float sample : grey.samples) largest = std::max(largest, inverted ? 1.0F - sample : sample);
@@ -122,8 +112,17 @@ void note_odd_shares(const fs::path& path, const Image& grey, LineFile& file) {
 
 }  // namespace
 
+std::optional<BufferName> exported_buffer(const fs::path& path) {
+  if (!has_origin(path)) return std::nullopt;
+  const std::string name = read_image_text(path, std::string(kBufferEntry));
+  for (const BufferName buffer : all_buffers()) {
+    if (name_of(buffer) == name) return buffer;
+  }
+  return std::nullopt;
+}
+
 LineFile read_line_file(const fs::path& path, const LineFileOptions& options) {
-  const std::optional<BufferName> buffer = buffer_of(path);
+  const std::optional<BufferName> buffer = exported_buffer(path);
   const ReadAsLines as_lines = buffer ? buffer->info().as_lines : ReadAsLines::at_cut;
   if (as_lines == ReadAsLines::no) {
     throw input_error(path.string(),

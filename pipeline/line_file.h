@@ -37,6 +37,10 @@ struct LineFile {
   std::vector<std::string> notes;  ///< What a person should know, each with the file's name.
 };
 
+/// The buffer that the file says it is of; none for other images and for buffers that are not known here.
+/// Errors (input): as `read_picture`.
+std::optional<BufferName> exported_buffer(const std::filesystem::path& path);
+
 /// A file that inkbench exported reads as its buffer says: `lines` light on dark, `combined_edges` wherever
 /// it is not 0, `reference` by class, whatever `options` say of those; the others are no lines. Any other
 /// image is cut at a grey (`read_grey_over_white`). Errors (input): as `read_picture`; a buffer without

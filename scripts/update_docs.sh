@@ -36,6 +36,7 @@ for study in detectors transfer turn edge_quality_by_dihedral; do
   ./run study "studies/$study.toml" --out "$out/$study" >/dev/null
 done
 cp "$out/detectors/grid.png" "$out/detectors/charts/f1.svg" "$out/transfer/charts/transfer.svg" docs/images/detectors/
+cp "$out/detectors/charts/precision_recall_1.svg" docs/images/detectors/precision_recall.svg
 cp "$out/turn/grid.png" docs/images/detectors/turn.png
 for chart in three_f recall_by_class; do
   cp "$out/edge_quality_by_dihedral/charts/$chart.svg" "docs/images/edge_quality/${chart}_dihedral.svg"

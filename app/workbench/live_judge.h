@@ -41,8 +41,8 @@ struct Judgement {
 /// Errors (input): sizes that differ, a tolerance out of range, a missing part.
 Judgement judge(const JudgeRequest& request, const StopAsked& stop = {});
 
-/// Whether the measure is one of what the window looks at: neither the scene's nor causes, and of a level
-/// only those that need the full mesh.
+/// Whether the measure is one of what the window looks at: neither the scene's nor causes nor curves, and of
+/// a level only those that need the full mesh.
 bool is_judged(const Measure& measure, const DrawingTally& tally);
 
 /// A request in work is finished when a newer one comes: its result is still worth showing.

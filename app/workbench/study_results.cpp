@@ -11,6 +11,7 @@
 #include "pipeline/settings/settings_file.h"
 #include "studies/report/csv.h"
 #include "studies/sweep/number_columns.h"
+#include "studies/sweep/study_curves.h"
 #include "studies/sweep/study_grid.h"
 
 namespace inkbench {
@@ -113,6 +114,7 @@ std::vector<DrawnChart> StudyResults::charts() const {
   std::vector<DrawnChart> charts;
   if (summary_.state != "finished") return charts;
   for (const Chart& chart : spec_.charts) charts.push_back(chart_in(folder_, chart));
+  for (DrawnChart& chart : curve_charts_in(folder_, spec_)) charts.push_back(std::move(chart));
   return charts;
 }
 

@@ -119,12 +119,10 @@ void convert_pixel(const uint8_t* from, int have, uint8_t* to, int want) {
   if (want == 4) to[3] = have % 2 == 0 ? from[have - 1] : 255;
 }
 
-/// One pixel of `channels` (grey, grey and alpha, RGB, RGBA) over white.
-double grey_over_white(const float* from, int channels, bool premultiplied) {
-  const double grey = channels <= 2 ? from[0] : luma(from);
-  if (channels % 2 != 0) return grey;
-  const double alpha = from[channels - 1];
-  return (premultiplied ? grey : grey * alpha) + (1.0 - alpha);
+/// One pixel of 2 or 4 channels, the last one alpha: its grey times that.
+double grey_times_alpha(const float* from, int channels, bool premultiplied) {
+  const double grey = channels == 2 ? from[0] : luma(from);
+  return premultiplied ? grey : grey * static_cast<double>(from[channels - 1]);
 }
 
 Picture with_channels(Picture picture, int channels) {
@@ -159,15 +157,29 @@ Image read_image(const fs::path& path) {
   return decode<float>(path, open_image(path), SampleType::real);
 }
 
-Image read_grey_over_white(const fs::path& path) {
+Image read_grey_and_alpha(const fs::path& path) {
   const OpenImage file = open_image(path);
   Image image = decode<float>(path, file, SampleType::real);
   if (image.channels == 1) return image;
-  Image grey(image.width_px, image.height_px, 1);
-  for (size_t i = 0; i < grey.samples.size(); ++i) {
-    grey.samples[i] = static_cast<float>(
-        grey_over_white(&image.samples[i * image.channels], image.channels, file.shape().premultiplied));
+  const bool has_alpha = image.channels % 2 == 0, premultiplied = file.shape().premultiplied;
+  Image grey(image.width_px, image.height_px, has_alpha ? 2 : 1);
+  const size_t pixels = static_cast<size_t>(image.width_px) * image.height_px;
+  for (size_t i = 0; i < pixels; ++i) {
+    const float* from = &image.samples[i * image.channels];
+    float* to = &grey.samples[i * grey.channels];
+    to[0] =
+        static_cast<float>(has_alpha ? grey_times_alpha(from, image.channels, premultiplied) : luma(from));
+    if (has_alpha) to[1] = from[image.channels - 1];
   }
+  return grey;
+}
+
+Image read_grey_over_white(const fs::path& path) {
+  Image image = read_grey_and_alpha(path);
+  if (image.channels == 1) return image;
+  Image grey(image.width_px, image.height_px, 1);
+  for (size_t i = 0; i < grey.samples.size(); ++i)
+    grey.samples[i] = image.samples[2 * i] + (1.0F - image.samples[2 * i + 1]);
   return grey;
 }
 

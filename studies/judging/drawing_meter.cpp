@@ -7,7 +7,9 @@
 #include "pipeline/passes/ink/coverage.h"
 #include "pipeline/passes/ink/drawn_ink.h"
 #include "pipeline/passes/lines/reference.h"
+#include "pipeline/strength_file.h"
 #include "studies/judging/cause_finder.h"
+#include "studies/measures/matching.h"
 
 namespace inkbench {
 namespace {
@@ -45,6 +47,14 @@ AntialiasingTally antialiasing_of(const Frame& frame) {
                             frame.value<SampledCoverage>()->read(0, 1));
 }
 
+StrengthCurve strengths_of(const Frame& frame, const LineView& view) {
+  const StrengthLevels levels = levels_of(bounded_strengths(frame.raw(BufferName::edge_strength)));
+  const TieredLines lines{view.wanted, view.allowed};
+  StrengthCurve curve;
+  curve.add(count_strengths(levels, {&lines, 1}, diagonal_tolerance_px(levels.width_px, levels.height_px)));
+  return curve;
+}
+
 }  // namespace
 
 /// The full mesh has its own level's normals and the drawing's other settings.
@@ -78,6 +88,7 @@ DrawingTally DrawingMeter::tally(const Frame& frame, const Frame* before) {
   DrawingTally tally = tally_view({view, lines.get(), full ? &*full : nullptr}, settings.judge, needs_);
   if (needs_.faces) tally.faces = drawn_faces(pipeline_.meshes(), settings);
   if (needs_.antialiasing && places_lines(settings)) tally.antialiasing = antialiasing_of(frame);
+  if (needs_.strengths) tally.strengths = strengths_of(frame, view);
   if (needs_.causes) {
     last_causes_ = find_causes(pipeline_, settings);
     tally.causes = count_causes(*last_causes_);
@@ -100,6 +111,7 @@ Key DrawingMeter::key(const Frame& frame, const Frame* before) {
   if (needs_.reference_lines())
     builder.add(frame.key(BufferName::reference)).add(judge_text(frame.settings().judge));
   if (needs_.antialiasing) builder.add("antialiasing").add(frame.picture_key(BufferName::coverage));
+  if (needs_.strengths) builder.add("strengths").add(frame.key(BufferName::edge_strength));
   if (needs_.causes) builder.add(causes_key(frame));
   if (!needs_.full_mesh()) return builder.key();
   const Frame full = with_full_mesh(frame);

@@ -22,6 +22,7 @@ void DrawingTally::add(const DrawingTally& other) {
   pool(inner, other.inner);
   pool(causes, other.causes);
   pool(antialiasing, other.antialiasing);
+  pool(strengths, other.strengths);
   pool(flicker, other.flicker);
 }
 

@@ -11,6 +11,7 @@
 #include "studies/measures/causes.h"
 #include "studies/measures/flicker_tally.h"
 #include "studies/measures/ladder_tally.h"
+#include "studies/measures/strength_curve.h"
 #include "studies/measures/tally.h"
 
 namespace inkbench {
@@ -25,6 +26,7 @@ struct DrawingTally {
   std::optional<InnerTally> inner;
   std::optional<CauseCounts> causes;              ///< Of the false and the missed pixels.
   std::optional<AntialiasingTally> antialiasing;  ///< Of placed lines.
+  std::optional<StrengthCurve> strengths;         ///< The detector's, each view a picture.
   std::optional<FlickerTally> flicker;            ///< Between the frames of a path.
 
   void add(const DrawingTally& other);

@@ -35,6 +35,8 @@ std::string needs_text(const Measure& measure) {
       return "reference lines along a camera path";
     case Need::placed_lines:
       return "lines of a method that places them";
+    case Need::strengths:
+      return "reference lines, the detector's strength at 99 thresholds";
     case Need::causes:
       return "the drawing made again with one thing changed at a time";
   }
@@ -107,7 +109,8 @@ std::vector<const Measure*> all_measures() {
 
 std::vector<const Measure*> measures_of_a_view(bool with_causes) {
   return measures_that([=](const Measure& measure) {
-    return !measure.of_path() && (with_causes || measure.needs != Need::causes);
+    return !measure.of_path() && measure.needs != Need::strengths &&
+           (with_causes || measure.needs != Need::causes);
   });
 }
 

@@ -246,6 +246,35 @@ std::vector<Measure> placed_rows() {
   };
 }
 
+/// Of the detector's strength, over thresholds.
+std::vector<Measure> curve_rows() {
+  return {
+      {.key = "ods",
+       .help = "f1 of the detector's own strength, cut at the one threshold that is best for all views.",
+       .label = "ODS",
+       .better = kMore,
+       .needs = Need::strengths,
+       .value = [](const Tally& t) -> Value {
+         return t.strengths ? Value(t.strengths->ods()) : std::nullopt;
+       }},
+      {.key = "ois",
+       .help = "The same with each view cut at its own best threshold.",
+       .label = "OIS",
+       .better = kMore,
+       .needs = Need::strengths,
+       .value = [](const Tally& t) -> Value {
+         return t.strengths ? Value(t.strengths->ois()) : std::nullopt;
+       }},
+      {.key = "ap",
+       .help = "Mean precision over all recalls that some threshold of the detector's strength reaches, 0 "
+               "elsewhere.",
+       .label = "AP",
+       .better = kMore,
+       .needs = Need::strengths,
+       .value = [](const Tally& t) { return t.strengths ? t.strengths->ap() : std::nullopt; }},
+  };
+}
+
 template <size_t index>
 Value cause_count(const Tally& tally) {
   if (!tally.causes) return std::nullopt;
@@ -284,6 +313,7 @@ std::vector<Measure> make_table() {
   add(ladder_rows());
   add(path_rows());
   add(placed_rows());
+  add(curve_rows());
   add_causes(table, std::make_index_sequence<kCauses>());
   return table;
 }
@@ -336,6 +366,9 @@ void MeasureNeeds::add(const Measure& measure) {
     case Need::placed_lines:
       antialiasing = true;
       break;
+    case Need::strengths:
+      strengths = true;
+      break;
     case Need::causes:
       causes = true;
       break;
@@ -355,7 +388,7 @@ MeasureNeeds MeasureNeeds::all() {
 }
 
 bool MeasureNeeds::reference_lines() const {
-  return lines || full_mesh() || reference_frames ||
+  return lines || strengths || full_mesh() || reference_frames ||
          std::find(classes.begin(), classes.end(), true) != classes.end();
 }
 

@@ -28,6 +28,7 @@ enum class Need {
   frames,            ///< The drawn lines along a camera path, and how points move.
   reference_frames,  ///< The reference lines along it.
   placed_lines,      ///< Lines of a method that places them.
+  strengths,         ///< What the detector sees, at 99 thresholds.
   causes,            ///< The drawing made again with one thing changed at a time.
 };
 
@@ -72,7 +73,7 @@ struct MeasureNeeds {
   std::array<bool, kLineClasses.size()> classes{};
   bool ladder = false, inner = false;
   bool frames = false, reference_frames = false;
-  bool antialiasing = false, causes = false;
+  bool antialiasing = false, strengths = false, causes = false;
 
   void add(const Measure& measure);
   /// Of all measures.
@@ -99,7 +100,7 @@ std::string measures_table(std::span<const Measure* const> measures, const Drawi
 std::vector<const Measure*> measures_of_maps(bool with_classes = false);
 std::vector<const Measure*> all_measures();
 
-/// Those that one picture is enough for.
+/// Those that one picture is enough for, without what takes a matching for each of 99 thresholds.
 std::vector<const Measure*> measures_of_a_view(bool with_causes = false);
 
 /// What docs/measures.md shows: every measure with its unit, direction, needs and meaning.

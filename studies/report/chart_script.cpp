@@ -45,13 +45,17 @@ std::string is_field(const std::string& column, const std::string& field) {
 }  // namespace
 
 void write_head(ScriptText& script, const Chart& chart) {
-  script.line("# {}", one_line(chart.title + " (a chart of the study \"" + chart.study + "\")"));
+  write_head(script, {chart.name, chart.title, "a chart of the study \"" + chart.study + "\"", "The study"});
+}
+
+void write_head(ScriptText& script, const ScriptHead& head) {
+  script.line("# {}", one_line(head.title + " (" + head.of + ")"));
   script.line("# `gnuplot {0}.gp`, run from any folder, draws {0}.svg and {0}.png beside this file.",
-              chart.name);
-  script.line(
-      "# The study writes this file again when it runs again: to keep changes, copy it and change `name`.");
+              head.name);
+  script.line("# {} writes this file again when it runs again: to keep changes, copy it and change `name`.",
+              head.writer);
   script.gap();
-  script.line("name = '{}'", chart.name);
+  script.line("name = '{}'", head.name);
   script.line("folder = ''");
   script.line("do for [i = 1:strlen(ARG0)] {{ if (ARG0[i:i] eq '/') {{ folder = ARG0[1:i] }} }}");
   script.line("if (!exists('out')) out = folder");

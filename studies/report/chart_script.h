@@ -27,7 +27,12 @@ class ScriptText {
   std::string text_;
 };
 
-/// What the chart is, how to draw it again, and where its files lie.
+/// What the chart is, how to draw it again, and where its files lie. `of` says whose chart it is, `writer`
+/// who writes the script again ("The study").
+struct ScriptHead {
+  std::string name, title, of, writer;
+};
+void write_head(ScriptText& script, const ScriptHead& head);
 void write_head(ScriptText& script, const Chart& chart);
 
 /// Both kinds of picture and what lies under every plot.

@@ -30,7 +30,8 @@ bool finds_causes(const StudySpec& spec) {
 }
 
 size_t overlay_count(const StudySpec& spec) {
-  return view_count(spec) * ((finds_lines(spec) ? 1 : 0) + (finds_causes(spec) ? 1 : 0));
+  return view_count(spec) * ((finds_lines(spec) ? 1 : 0) + (finds_causes(spec) ? 1 : 0)) +
+         (spec.curves ? 1 : 0);
 }
 
 CellKeys cell_keys(Pipeline& pipeline, const StudySpec& spec, const Cell& cell, const ResultOrigin& origin) {

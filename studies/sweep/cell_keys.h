@@ -19,8 +19,8 @@ bool finds_lines(const StudySpec& spec);
 
 /// Whether they have causes of false and missed lines: a measure asks for them.
 bool finds_causes(const StudySpec& spec);
-/// Files that lie over the pictures of a cell: of each view the reference lines, then of each view the
-/// causes.
+/// Files beside the pictures of a cell: of each view the reference lines, then of each view the causes, then
+/// the counts of its curve.
 size_t overlay_count(const StudySpec& spec);
 
 /// Errors (input): a mesh or ramp cannot be read.

@@ -14,11 +14,11 @@
 #include "pipeline/base/key.h"
 #include "pipeline/base/stop.h"
 #include "pipeline/base/text.h"
+#include "pipeline/base/worker_pool.h"
 #include "pipeline/image/image_file.h"
 #include "studies/report/page.h"
 #include "studies/sweep/number_columns.h"
 #include "studies/sweep/result_origin.h"
-#include "studies/sweep/worker_pool.h"
 
 namespace inkbench {
 namespace {

@@ -17,7 +17,8 @@ std::vector<std::string> every_measure(bool along_path) {
   std::vector<std::string> names = known_measures();
   std::erase_if(names, [&](const std::string& name) {
     const Measure& measure = *find_measure(name);
-    return measure.needs == Need::causes || (!along_path && measure.of_path());
+    return measure.needs == Need::causes || measure.needs == Need::strengths ||
+           (!along_path && measure.of_path());
   });
   return names;
 }

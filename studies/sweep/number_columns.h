@@ -15,7 +15,7 @@ struct StudySpec;
 std::vector<std::string> known_measures();
 
 /// What `measure = true` stands for: of these, those that compare frames only along a camera path, and no
-/// causes, which draw each cell again a few times.
+/// causes, which draw each cell again a few times, nor strengths, which match each view at 99 thresholds.
 std::vector<std::string> every_measure(bool along_path);
 
 /// `ink` and `ink_px`, which every study has, then the spec's measures.

@@ -17,20 +17,22 @@
 #include "pipeline/base/forced_end.h"
 #include "pipeline/base/log.h"
 #include "pipeline/base/stop.h"
+#include "pipeline/base/worker_pool.h"
 #include "pipeline/export.h"
 #include "pipeline/lines/drawing.h"
 #include "pipeline/passes/lines/reference.h"
 #include "studies/judging/cause_finder.h"
 #include "studies/judging/drawing_meter.h"
+#include "studies/measures/curve_text.h"
 #include "studies/sweep/cell_keys.h"
 #include "studies/sweep/cell_tiles.h"
 #include "studies/sweep/manifest.h"
 #include "studies/sweep/number_columns.h"
+#include "studies/sweep/study_curves.h"
 #include "studies/sweep/study_folder.h"
 #include "studies/sweep/study_grid.h"
 #include "studies/sweep/study_page.h"
 #include "studies/sweep/view_frames.h"
-#include "studies/sweep/worker_pool.h"
 
 namespace inkbench {
 namespace {
@@ -137,6 +139,7 @@ class StudyRun {
     result_.charts = options_.extras.charts;
     for (DrawnChart& chart : draw_study_charts(spec_, folder_.path(), result_.failures))
       result_.charts.push_back(std::move(chart));
+    if (spec_.curves) draw_curve_charts();
     StudyPageWriter page(
         spec_, folder_,
         {made_by(spec_, options_.extras), renderer_info().renderer, study_versions(), options_.extras},
@@ -151,6 +154,11 @@ class StudyRun {
     result_.page = page.write(result_.grids);
     result_.pictures_decoded = tiles_.decoded();
     tiles_.remove_others();
+  }
+
+  void draw_curve_charts() {
+    for (DrawnChart& chart : draw_study_curves(spec_, folder_, result_.failures))
+      result_.charts.push_back(std::move(chart));
   }
 
   /// The page shows every frame of a path.
@@ -210,7 +218,7 @@ class StudyRun {
     OpenCell& open = open_[place.cell];
     open.overlays.resize(overlay_count(spec_));
     if (!overlay.empty()) open.overlays[place.view] = overlay;
-    if (!causes.empty()) open.overlays[overlay_count(spec_) - view_count(spec_) + place.view] = causes;
+    if (!causes.empty()) open.overlays[(finds_lines(spec_) ? view_count(spec_) : 0) + place.view] = causes;
     open.tally.add(tally);
     return drawn;
   }
@@ -244,7 +252,8 @@ class StudyRun {
         tiles_.keep(index, drawn.place.view * spec_.show.size() + i, drawn.pictures[i],
                     record_file(folder_.path(), file).hash);
       }
-      if (const std::optional<OpenCell> whole = note_stored(index)) {
+      if (std::optional<OpenCell> whole = note_stored(index)) {
+        if (spec_.curves) whole->overlays.back() = write_curve(index, *whole->tally.strengths);
         folder_.add(index, cell_numbers(spec_, whole->tally), whole->overlays);
         report(drawn.is_kept ? CellEnd::measured : CellEnd::drawn);
       }
@@ -253,6 +262,12 @@ class StudyRun {
     } catch (const std::bad_alloc&) {
       fail(index, kOutOfMemory);
     }
+  }
+
+  std::string write_curve(size_t index, const StrengthCurve& curve) const {
+    const std::string name = folder_.curve_file(index);
+    write_file_atomically(folder_.path() / name, whole_curve_csv(curve), Sync::later);
+    return name;
   }
 
   /// The cell, once all of its views are stored.

@@ -43,6 +43,7 @@ struct StudySpec {
   std::vector<BufferName> show;
   int grid_px = 0;                    ///< Longer side of a picture in the grid; 0 as it is.
   std::vector<std::string> measures;  ///< Of the drawn lines against the reference; columns of data.csv.
+  bool curves = false;                ///< Precision and recall over thresholds: `pr = true`.
   std::vector<Axis> axes;             ///< Columns, rows, pages: at most three, at most two beside variants.
   std::vector<NamedSet> variants;     ///< Laid out where the axes end: columns, rows or pages.
   /// What each cell is drawn and measured from, all together: cameras, as a rule. Empty: once, as it is.

@@ -33,8 +33,8 @@ class SpecReader {
   }
 
   StudySpec read(const std::vector<std::string>& assignments) {
-    toml_.check_keys(document_, {"title", "purpose", "scene", "size", "show", "grid_px", "measure", "set",
-                                 "axis", "variant", "view", "path", "chart"});
+    toml_.check_keys(document_, {"title", "purpose", "scene", "size", "show", "grid_px", "measure", "pr",
+                                 "set", "axis", "variant", "view", "path", "chart"});
     spec_.title = toml_.text_entry(document_, "title", path_.stem().string());
     spec_.purpose = toml_.text_entry(document_, "purpose", "");
     spec_.base = read_base(document_, path_, assignments);
@@ -42,6 +42,7 @@ class SpecReader {
     read_grid_px();
     if (const TomlNode* path = document_.find("path")) spec_.camera_path = read_path(*path, path_.string());
     read_measures();
+    read_curves();
     spec_.axes = read_axes(document_, spec_);
     spec_.variants = read_variants(document_, spec_);
     spec_.views = read_views(document_, spec_);
@@ -89,6 +90,19 @@ class SpecReader {
                         "it must be true, or a list of measures");
     }
     for (const TomlNode& item : node->items) add_measure(item, known);
+  }
+
+  void read_curves() {
+    const TomlNode* node = document_.find("pr");
+    if (node == nullptr) return;
+    if (node->kind != TomlNode::Kind::boolean)
+      throw input_error(toml_.at(*node), "pr is " + node->kind_name(), "it must be true or false");
+    spec_.curves = node->boolean;
+    for (const char* key : {"ods", "ois", "ap"}) {
+      const bool is_new =
+          std::find(spec_.measures.begin(), spec_.measures.end(), key) == spec_.measures.end();
+      if (spec_.curves && is_new) spec_.measures.emplace_back(key);
+    }
   }
 
   void add_measure(const TomlNode& item, const std::vector<std::string>& known) {

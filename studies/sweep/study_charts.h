@@ -6,14 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "studies/report/drawn_chart.h"
 #include "studies/sweep/spec.h"
 
 namespace inkbench {
-
-struct DrawnChart {
-  std::string name, title;
-  std::filesystem::path svg, png, script;
-};
 
 /// The files of one of the study's charts, whether they are there or not.
 DrawnChart chart_in(const std::filesystem::path& folder, const Chart& chart);

@@ -65,11 +65,18 @@ bool is_cause_name(const std::string& name) {
   return stem && is_hex(*stem, 16);
 }
 
+/// "0001.csv".
+bool is_curve_name(const std::string& name) {
+  const auto stem = without_ending(name, ".csv");
+  return stem && stem->size() >= 4 && stem->find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 /// As a record names it, relative to the study's folder.
 bool is_overlay_file(const std::string& name) {
-  constexpr std::string_view kLines = "reference/", kCauses = "causes/";
+  constexpr std::string_view kLines = "reference/", kCauses = "causes/", kCurves = "curves/";
   return (name.starts_with(kLines) && is_overlay_name(name.substr(kLines.size()))) ||
-         (name.starts_with(kCauses) && is_cause_name(name.substr(kCauses.size())));
+         (name.starts_with(kCauses) && is_cause_name(name.substr(kCauses.size()))) ||
+         (name.starts_with(kCurves) && is_curve_name(name.substr(kCurves.size())));
 }
 
 /// Why keys differ between two runs, in words: by what their parts say.
@@ -127,6 +134,7 @@ StudyFolder::StudyFolder(const StudySpec& spec, fs::path folder, std::vector<Cel
   }
   if (finds_lines(spec_)) make_inner_folder(folder_ / "reference");
   if (finds_causes(spec_)) make_inner_folder(folder_ / "causes");
+  if (spec_.curves) make_inner_folder(folder_ / "curves");
   if (!fresh) take_journal(read_journal(folder_ / kJournal));
   remove_stale_files();
   rewrite();
@@ -168,7 +176,7 @@ std::string StudyFolder::number_problem(const CellRecord& record) const {
                                  [](const FileRecord& file) { return is_overlay_file(file.name); });
   return named && files_intact(folder_, record.overlays)
              ? ""
-             : "their reference lines or causes are missing or were changed";
+             : "their reference lines, causes or curves are missing or were changed";
 }
 
 std::vector<std::string> StudyFolder::notes() const {
@@ -207,10 +215,14 @@ std::vector<FileRecord> StudyFolder::pictures(size_t index) const {
   return {files.begin(), files.begin() + static_cast<std::ptrdiff_t>(picture_count(spec_))};
 }
 
-std::string StudyFolder::cell_file(size_t index, size_t view, BufferName buffer) const {
+std::string StudyFolder::cell_number(size_t index) const {
   const size_t digits = std::max<size_t>(4, std::to_string(keys_.size()).size());
+  return fmt::format("{:0{}}", index + 1, digits);
+}
+
+std::string StudyFolder::cell_file(size_t index, size_t view, BufferName buffer) const {
   const std::string view_part = spec_.views.empty() ? "" : spec_.views[view].name + "_";
-  return fmt::format("cells/{:0{}}_{}{}.png", index + 1, digits, view_part, name_of(buffer));
+  return fmt::format("cells/{}_{}{}.png", cell_number(index), view_part, name_of(buffer));
 }
 
 std::vector<std::string> StudyFolder::picture_files(size_t index) const {
@@ -230,6 +242,10 @@ std::string StudyFolder::cause_file(size_t index, size_t view) const {
   const std::lock_guard lock(mutex_);
   const size_t before = finds_lines(spec_) ? view_count(spec_) : 0;
   return finds_causes(spec_) ? done_.at(index).overlays.at(before + view).name : "";
+}
+
+std::string StudyFolder::curve_file(size_t index) const {
+  return fmt::format("curves/{}.csv", cell_number(index));
 }
 
 std::vector<std::string> StudyFolder::columns() const {
@@ -292,6 +308,7 @@ void StudyFolder::remove_stale_files() const {
   if (fs::is_directory(folder_ / "reference", error))
     remove_unused(folder_ / "reference", used, is_overlay_name);
   if (fs::is_directory(folder_ / "causes", error)) remove_unused(folder_ / "causes", used, is_cause_name);
+  if (fs::is_directory(folder_ / "curves", error)) remove_unused(folder_ / "curves", used, is_curve_name);
 }
 
 void StudyFolder::rewrite() const {

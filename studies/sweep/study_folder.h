@@ -65,6 +65,9 @@ class StudyFolder {
   /// The same of the picture of its causes, "causes/KEY.png".
   std::string cause_file(size_t index, size_t view) const;
 
+  /// The counts of a cell's curve, "curves/0001.csv", whether they are there or not.
+  std::string curve_file(size_t index) const;
+
   /// The columns of data.csv, and a finished or failed cell's fields; empty for any other.
   std::vector<std::string> columns() const;
   std::vector<std::string> fields(size_t index) const;
@@ -80,6 +83,8 @@ class StudyFolder {
   void finish();
 
  private:
+  /// "0001": with as many digits as the last cell's has, at least 4.
+  std::string cell_number(size_t index) const;
   /// Sorts the records of an earlier run into `done_`, `unmeasured_` and those that are dropped.
   void take_journal(Journal&& journal);
   /// Why the pictures or the numbers do not count; "" where they do.

@@ -17,7 +17,7 @@
 #include "studies/sweep/spec.h"
 #include "studies/sweep/study_charts.h"
 #include "studies/sweep/study_folder.h"
-#include "studies/sweep/worker_pool.h"
+#include "pipeline/base/worker_pool.h"
 
 namespace inkbench {
 

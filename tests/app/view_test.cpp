@@ -310,7 +310,7 @@ TEST_F(AppView, window_closes_while_a_dense_mesh_gets_its_levels) {
   write("scene.toml", small_scene());
   open_with({"--scene", file("scene.toml").string(), "--set", "model.ball.segments=420", "--set",
              "mesh.faces=300"});
-  EXPECT_TRUE(state()["prepares_levels"].get<bool>());
+  wait_for("the full mesh", [](const Json& now) { return now["prepares_levels"].get<bool>(); });
   quit();
 }
 

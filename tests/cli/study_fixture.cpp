@@ -154,4 +154,18 @@ void expect_no_half_written_files(const fs::path& folder, const FolderContent& e
   }
 }
 
+CommandOptions signal_after(const fs::path& out, size_t pictures, int signal) {
+  CommandOptions options;
+  options.signal_when = [out, pictures, signal](double) {
+    std::error_code error;
+    size_t count = 0;
+    for (fs::directory_iterator entry(out / "cells", error), end; !error && entry != end;
+         entry.increment(error)) {
+      count += entry->path().extension() == ".png" ? 1 : 0;
+    }
+    return count >= pictures ? signal : 0;
+  };
+  return options;
+}
+
 }  // namespace inkbench

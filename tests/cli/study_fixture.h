@@ -42,6 +42,9 @@ FolderContent lasting_content(const fs::path& folder);
 /// "same", or the names of files that differ or are in one folder only.
 std::string difference(const FolderContent& a, const FolderContent& b);
 
+/// Sends a signal when that many of the study's pictures are on the disk.
+CommandOptions signal_after(const fs::path& out, size_t pictures, int signal);
+
 /// Checks that every file under its final name is whole: pictures decode and are those of the finished study
 /// `expected`, the manifest parses, each line of data.csv and journal that is complete is one of the finished
 /// study.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pool: all work is done once, the queue stays short, waiting means waiting.
-#include "studies/sweep/worker_pool.h"
+#include "pipeline/base/worker_pool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/sweep/worker_pool.h"
+#include "pipeline/base/worker_pool.h"
 
 #include <utility>
 
@@ -7,8 +7,9 @@
 
 namespace inkbench {
 
-WorkerPool::WorkerPool(size_t threads, size_t queue_limit) : queue_limit_(queue_limit) {
-  for (size_t i = 0; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+WorkerPool::WorkerPool(size_t threads, size_t queue_limit, WorkerPriority priority)
+    : queue_limit_(queue_limit) {
+  for (size_t i = 0; i < threads; ++i) threads_.emplace_back([this, priority] { serve(priority); });
 }
 
 WorkerPool::~WorkerPool() {
@@ -33,8 +34,8 @@ void WorkerPool::wait() {
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
-void WorkerPool::serve() {
-  step_back_for_drawing();
+void WorkerPool::serve(WorkerPriority priority) {
+  if (priority == WorkerPriority::behind_drawing) step_back_for_drawing();
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [&] { return !queue_.empty() || closing_; });

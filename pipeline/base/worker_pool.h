@@ -13,9 +13,12 @@
 
 namespace inkbench {
 
+/// Whether its threads let others go first, such as the one that draws.
+enum class WorkerPriority { behind_drawing, own };
+
 class WorkerPool {
  public:
-  WorkerPool(size_t threads, size_t queue_limit);
+  WorkerPool(size_t threads, size_t queue_limit, WorkerPriority priority = WorkerPriority::behind_drawing);
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
   /// Waits for all work.
@@ -27,7 +30,7 @@ class WorkerPool {
   void wait();
 
  private:
-  void serve();
+  void serve(WorkerPriority priority);
 
   std::mutex mutex_;
   std::condition_variable changed_;
