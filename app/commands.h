@@ -13,6 +13,7 @@ int& exit_status();
 void add_app_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_study_command(CLI::App& app);
+void add_tune_command(CLI::App& app);
 void add_score_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
 void add_explain_command(CLI::App& app);

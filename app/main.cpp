@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   inkbench::add_app_command(app);
   inkbench::add_render_command(app);
   inkbench::add_study_command(app);
+  inkbench::add_tune_command(app);
   inkbench::add_score_command(app);
   inkbench::add_measure_command(app);
   inkbench::add_explain_command(app);

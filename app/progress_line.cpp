@@ -15,8 +15,8 @@ namespace {
 constexpr double kQuietSeconds = 10.0;
 constexpr double kTerminalSeconds = 0.1;
 
-void print_json(const StudyProgress& progress) {
-  print_out("{}\n", progress_json(progress));
+void print_json(const ProgressNote& note) {
+  print_out("{}\n", note.json);
   flush_out();
 }
 
@@ -40,30 +40,34 @@ std::string progress_json(const StudyProgress& progress) {
                      progress.seconds);
 }
 
+ProgressNote note_of(const StudyProgress& progress) {
+  return {progress.seconds, progress_text(progress), progress_json(progress)};
+}
+
 ProgressLine::ProgressLine(ProgressFormat format)
     : format_(format),
       terminal_(isatty(STDERR_FILENO) == 1),
       next_seconds_(terminal_ || format == ProgressFormat::json ? 0.0 : kQuietSeconds) {}
 
-void ProgressLine::begin(size_t total) {
-  if (format_ == ProgressFormat::json) print_json({.total = total});
+void ProgressLine::begin(const ProgressNote& note) {
+  if (format_ == ProgressFormat::json) print_json(note);
 }
 
-void ProgressLine::show(const StudyProgress& progress) {
-  if (progress.seconds < next_seconds_) return;
+void ProgressLine::show(const ProgressNote& note) {
+  if (note.seconds < next_seconds_) return;
   if (format_ == ProgressFormat::json) {
-    next_seconds_ = progress.seconds + kTerminalSeconds;
-    return print_json(progress);
+    next_seconds_ = note.seconds + kTerminalSeconds;
+    return print_json(note);
   }
-  next_seconds_ = progress.seconds + (terminal_ ? kTerminalSeconds : kQuietSeconds);
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", progress_text(progress), terminal_ ? "" : "\n");
+  next_seconds_ = note.seconds + (terminal_ ? kTerminalSeconds : kQuietSeconds);
+  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", note.text, terminal_ ? "" : "\n");
   std::fflush(stderr);
   open_ = terminal_;
 }
 
-void ProgressLine::finish(const StudyProgress& progress) {
-  if (format_ == ProgressFormat::json) return print_json(progress);
-  fmt::print(stderr, "{}{}\n", open_ ? "\r\033[K" : "", progress_text(progress));
+void ProgressLine::finish(const ProgressNote& note) {
+  if (format_ == ProgressFormat::json) return print_json(note);
+  fmt::print(stderr, "{}{}\n", open_ ? "\r\033[K" : "", note.text);
   open_ = false;
 }
 

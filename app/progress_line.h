@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A study's progress: for people on stderr, one line that renews itself on a terminal, a quiet line now and
-// then elsewhere; for programs on stdout, a JSON object a line.
+// The progress of a study or a search: for people on stderr, one line that renews itself on a terminal, a
+// quiet line now and then elsewhere; for programs on stdout, a JSON object a line.
 #pragma once
+
+#include <string>
 
 #include "studies/sweep/run_study.h"
 
@@ -9,13 +11,20 @@ namespace inkbench {
 
 enum class ProgressFormat { text, json };
 
+/// How far it is, for people and for programs, so many seconds after it began.
+struct ProgressNote {
+  double seconds = 0;
+  std::string text, json;
+};
+ProgressNote note_of(const StudyProgress& progress);
+
 class ProgressLine {
  public:
   explicit ProgressLine(ProgressFormat format);
   /// Tells programs how much there is to do; people are told by the plan's line.
-  void begin(size_t total);
-  void show(const StudyProgress& progress);
-  void finish(const StudyProgress& progress);
+  void begin(const ProgressNote& note);
+  void show(const ProgressNote& note);
+  void finish(const ProgressNote& note);
 
  private:
   ProgressFormat format_;

@@ -71,14 +71,14 @@ void print_cells(const StudySpec& spec) {
 bool run_one(Pipeline& pipeline, const StudySpec& spec, const fs::path& folder,
              const StudyArguments& arguments) {
   ProgressLine line(arguments.progress == "json" ? ProgressFormat::json : ProgressFormat::text);
-  line.begin(cell_count(spec));
+  line.begin(note_of(StudyProgress{.total = cell_count(spec)}));
   StudyOptions options;
   options.folder = folder;
   options.fresh = arguments.fresh;
   options.fail_fast = arguments.fail_fast;
-  options.on_progress = [&](const StudyProgress& progress) { line.show(progress); };
+  options.on_progress = [&](const StudyProgress& progress) { line.show(note_of(progress)); };
   const StudyResult result = run_study(pipeline, spec, options);
-  line.finish(result.progress);
+  line.finish(note_of(result.progress));
   for (const fs::path& grid : result.grids) print_out("{}\n", grid.string());
   for (const DrawnChart& chart : result.charts) print_out("{}\n", chart.png.string());
   if (!result.page.empty()) print_out("{}\n", result.page.string());

@@ -39,7 +39,6 @@ struct Chart {
   std::string name;  ///< Stem of its files: letters a to z, digits, '_' and '-'.
   std::string title;
   std::string study;               ///< The study's title.
-  std::string table = "data.csv";  ///< The file beside the charts' folder that holds the table.
   ChartKind kind = ChartKind::lines;
   ChartColumn x;
   std::vector<ChartColumn> y;        ///< At least one; of a heat map exactly one: its rows.
@@ -54,6 +53,7 @@ struct Chart {
   std::string x_label, y_label, value_label;
   Scale scale_x = Scale::linear, scale_y = Scale::linear;  ///< Of a chart of lines.
   std::optional<double> y_from, y_to;
+  std::string table = "data.csv";  ///< The file beside the charts' folder that holds the table.
 };
 
 /// Checks what the cells of a study decide before they are drawn: `planned` holds the columns that are not

@@ -60,7 +60,7 @@ void write_foot(ScriptText& script);
 /// escape, and the names and fields that the script compares must stand there as they are.
 bool is_plain(const CsvTable& table, const Chart& chart);
 
-/// Opens data.csv in the script, so that column('f1') and strcol('f1') work.
+/// Opens the table's file in the script, so that column('f1') and strcol('f1') work.
 void write_data_source(ScriptText& script, const std::string& table);
 
 /// The condition in gnuplot that picks the chart's rows, all of which worked; "" where all count. `panel` and

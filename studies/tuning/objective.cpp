@@ -12,8 +12,9 @@ namespace inkbench {
 namespace {
 
 bool is_searchable(const Measure& measure) {
-  return measure.needs != Need::placed_lines && measure.needs != Need::causes && !measure.of_level() &&
-         !measure.of_path();
+  const bool needs_more = measure.needs == Need::placed_lines || measure.needs == Need::strengths ||
+                          measure.needs == Need::causes;
+  return !needs_more && !measure.of_level() && !measure.of_path();
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "pipeline/base/stop.h"
+#include "pipeline/base/worker_pool.h"
 #include "studies/judging/drawing_meter.h"
 #include "studies/measures/tally.h"
 #include "studies/sweep/result_origin.h"
-#include "studies/sweep/worker_pool.h"
 #include "studies/tuning/trial_journal.h"
 #include "studies/tuning/tune_spec.h"
 
