@@ -290,8 +290,9 @@ TEST_F(AppView, home_shows_the_models_from_within_their_room) {
 
 TEST_F(AppView, window_stays_awake_while_a_dense_mesh_gets_its_levels) {
   write("scene.toml", small_scene());
-  open_with({"--scene", file("scene.toml").string(), "--set", "model.ball.segments=420", "--set",
-             "mesh.faces=300"});
+  open_with({"--scene", file("scene.toml").string(), "--set", "model.ball.segments=420"});
+  settled();
+  type_over("bar:mesh.faces", "300");
   const Json full =
       wait_for("the full mesh", [](const Json& now) { return now["prepares_levels"].get<bool>(); });
   keys("2");  // goes through while the levels are being made
@@ -308,8 +309,9 @@ TEST_F(AppView, window_stays_awake_while_a_dense_mesh_gets_its_levels) {
 
 TEST_F(AppView, window_closes_while_a_dense_mesh_gets_its_levels) {
   write("scene.toml", small_scene());
-  open_with({"--scene", file("scene.toml").string(), "--set", "model.ball.segments=420", "--set",
-             "mesh.faces=300"});
+  open_with({"--scene", file("scene.toml").string(), "--set", "model.ball.segments=420"});
+  settled();
+  type_over("bar:mesh.faces", "300");
   wait_for("the full mesh", [](const Json& now) { return now["prepares_levels"].get<bool>(); });
   quit();
 }
