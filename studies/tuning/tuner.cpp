@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/stop.h"
@@ -292,7 +293,7 @@ class Tuner {
     }
     const auto number = [&](double share) {
       const Value there = share == middle ? value : value_at(axis, share);
-      return std::holds_alternative<int>(there) ? std::get<int>(there) : double{std::get<float>(there)};
+      return std::stod(to_text(there));  // as it was rounded, not as a float holds it
     };
     return std::pair(number(low), number(high));
   }
