@@ -7,6 +7,8 @@
 namespace inkbench {
 namespace {
 
+constexpr int kLeastGridSide = 5;  // a coarser one would see little but the ends
+
 /// In how many values a grid has each side; empty where it is no grid.
 std::vector<int> grid_counts(const SearchSpace& space, int most) {
   const auto numbers = std::count_if(space.begin(), space.end(), [](const auto& a) { return a.is_number(); });
@@ -17,7 +19,7 @@ std::vector<int> grid_counts(const SearchSpace& space, int most) {
   const double room = most / combinations;
   const int side =
       numbers == 0 ? 1 : static_cast<int>(std::pow(room, 1.0 / static_cast<double>(numbers)) + 1e-9);
-  if (numbers > 0 && side < 2) return {};
+  if (numbers > 0 && side < kLeastGridSide) return {};
   std::vector<int> counts;
   for (const SearchAxis& axis : space) {
     const double whole = axis.to - axis.from + 1;

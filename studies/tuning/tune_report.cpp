@@ -176,8 +176,11 @@ Chart trace_chart(const TuneSpec& spec) {
 std::string verdict_of(const TuneSpec& spec, const TuneResult& result, const PaperScores& paper) {
   const std::string name = objective_name(spec);
   const std::string tuned = score_text(result.tuned().score), initial = score_text(result.initial().score);
-  const std::string than =
-      fmt::format("{} with the default, {} with the paper's method", initial, score_text(paper.all));
+  const bool is_papers = papers_settings(spec.base).edges.method == spec.base.edges.method &&
+                         paper.all == result.initial().score;
+  const std::string than = is_papers ? initial + " with the paper's coefficients, which are the default"
+                                     : fmt::format("{} with the default, {} with the paper's method", initial,
+                                                   score_text(paper.all));
   const std::string stopped = result.stopped ? " The search was stopped early: this is the best so far." : "";
   const std::optional<bool> gain = result.is_gain();
   if (!gain)
