@@ -83,7 +83,7 @@ class TuneRun {
       const FolderLock lock(options_.folder);
       search(outcome);
     }
-    if (!outcome.result.stopped) report(outcome);
+    if (options_.report && !outcome.result.stopped) report(outcome);
     return outcome;
   }
 
@@ -95,6 +95,7 @@ class TuneRun {
     std::error_code error;
     if (options_.fresh) fs::remove(file("trials.txt"), error);
     pipeline_.check_room(spec_.base.image);
+    paper_ = paper_scores();  // first: once the search is stopped, nothing is drawn any more
     TrialMeter meter(pipeline_, spec_, file("trials.txt"));
     const MeasureCandidates measure = [&](const std::vector<Values>& candidates,
                                           const std::vector<bool>& wanted) {
@@ -107,7 +108,6 @@ class TuneRun {
       throw input_error("tune", "no candidate could be drawn: " + meter.problems().front());
     }
     outcome.problems = meter.problems();
-    paper_ = paper_scores();
     outcome.cost = {meter.measured(), meter.known(),
                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
     outcome.verdict = verdict_of(spec_, outcome.result, paper_);
