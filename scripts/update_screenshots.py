@@ -141,6 +141,17 @@ def causes(window):
     window.save("causes")
 
 
+def fit(window):
+    """The paper's coefficients fitted: how good their values are, behind their bars."""
+    window.click("tab:Judge")
+    window.click("fit")
+    window.wait("the fit", lambda state: state["fit"]["result"])
+    window.click("fit:take over")
+    window.input("mousemove", 640, 790)
+    window.wait("the measures", lambda state: not state["judge"]["behind"])
+    window.save("fit")
+
+
 def ramps(window):
     """The ramp editor under the shaded picture."""
     window.key("6", "r")
@@ -171,7 +182,7 @@ def study(window):
     window.save("study")
 
 
-SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "ramps": ramps, "polygons": polygons, "study": study}
+SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "fit": fit, "ramps": ramps, "polygons": polygons, "study": study}
 
 
 def main():

@@ -83,7 +83,7 @@ class TuneRun {
       const FolderLock lock(options_.folder);
       search(outcome);
     }
-    if (!outcome.result.stopped) report(outcome);
+    if (options_.report && !outcome.result.stopped) report(outcome);
     return outcome;
   }
 
