@@ -25,6 +25,8 @@ struct TuneOutcome {
   TuneResult result;
   TuneCost cost;
   std::string verdict;
+  std::vector<std::string>
+      marks;  ///< What of the marks could not be satisfied, a sentence each; empty without marks.
   std::filesystem::path preset, page;  ///< `page` is empty where the search was stopped.
   std::vector<std::string> problems;   ///< Why candidates, charts or pictures could not be made.
 };
