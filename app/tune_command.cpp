@@ -126,6 +126,7 @@ void run(const TuneSpec& spec, const TuneArguments& arguments) {
   const TuneOutcome outcome = run_tune(pipeline, spec, options);
   line.finish(last);
   print_out("{}\n", printable(outcome.verdict));
+  for (const std::string& sentence : outcome.marks) print_out("{}\n", printable(sentence));
   print_out("{}\n", printable(values_text(spec.space, outcome.result.tuned().values)));
   for (const fs::path& path : {outcome.preset, outcome.page}) {
     if (!path.empty()) print_out("{}\n", path.string());

@@ -152,6 +152,24 @@ def fit(window):
     window.save("fit")
 
 
+def marks(window):
+    """What is wanted and what is not, painted over the picture."""
+    window.key("7", "m")
+    window.wait("the brush", lambda state: "brush:Wanted" in state["ui"])
+    tile = "tile:final"
+    for start, end in (((0.61, 0.56), (0.73, 0.61)), ((0.72, 0.605), (0.815, 0.57))):
+        window.drag(window.place(tile, *start), window.place(tile, *end))
+    window.click("brush:Unwanted")
+    window.move(tile)
+    window.input("keydown", "ctrl", *["click", 4] * 6, "keyup", "ctrl")
+    for start, end in (((0.33, 0.55), (0.52, 0.46)), ((0.36, 0.63), (0.53, 0.58))):
+        window.drag(window.place(tile, *start), window.place(tile, *end))
+    window.wait("the strokes", lambda state: state["painted"]["unwanted"] > 0)
+    window.move(tile, 0.5, 0.7)
+    window.rest()
+    window.save("marks")
+
+
 def ramps(window):
     """The ramp editor under the shaded picture."""
     window.key("6", "r")
@@ -182,7 +200,8 @@ def study(window):
     window.save("study")
 
 
-SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "fit": fit, "ramps": ramps, "polygons": polygons, "study": study}
+SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "fit": fit, "marks": marks, "ramps": ramps, "polygons": polygons,
+         "study": study}
 
 
 def main():

@@ -48,6 +48,7 @@ void Keeping::drop_known_work(Session& session) {
   for (size_t i = store_->unsaved().size(); i-- > 0;) {
     const UnsavedWork& work = store_->unsaved()[i];
     if (!same_settings(work.session.settings, session.settings)) continue;
+    if (!same_marks(work.session.marks, session.marks)) continue;
     merge_lists({}, work.session, kept_);
     if (work.time > layout_time) {
       session.layout = work.session.layout;
@@ -65,6 +66,7 @@ Session Keeping::session_of(const Document& document, const WindowLayout& layout
   Session session = kept_;
   session.settings = with_absolute_paths(document.settings());
   session.scene = document.scene();
+  session.marks = document.marks();
   session.layout = layout;
   return session;
 }
@@ -100,7 +102,7 @@ void Keeping::close(const Document& document, const WindowLayout& layout) {
 void Keeping::restore(Document& document, WindowLayout& layout) {
   if (unsaved().empty()) return;
   const Session session = unsaved().front().session;
-  if (!document.take_over(session.settings, session.scene, "restore unsaved work")) return;
+  if (!document.take_over(session.settings, session.scene, session.marks, "restore unsaved work")) return;
   layout = session.layout;
   merge_lists({}, session, kept_);
   ++own_revision_;

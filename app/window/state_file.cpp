@@ -18,6 +18,22 @@ Json parameters_of(const Settings& settings) {
   return json;
 }
 
+const char* tool_name(MouseTool tool) {
+  constexpr std::array kTools{"view", "camera", "mark"};
+  return kTools[static_cast<size_t>(tool)];
+}
+
+/// Pixels of the present camera's marks.
+Json painted_of(const Document& document) {
+  const Settings& settings = document.settings();
+  const MarkMaps maps =
+      maps_for(document.marks(), settings.camera, settings.image.width, settings.image.height);
+  return {{"wanted", maps.wanted.count()},
+          {"unwanted", maps.unwanted.count()},
+          {"drawn", maps.drawn.count()},
+          {"cameras", document.marks().size()}};
+}
+
 Json view_of(const ViewState& view) {
   Json json{{"zoom", view.zoom},
             {"centre", {view.centre_x, view.centre_y}},
@@ -26,7 +42,8 @@ Json view_of(const ViewState& view) {
             {"filled", view.filled ? std::string(name_of(*view.filled)) : ""},
             {"marked", view.marked ? Json{view.marked->x, view.marked->y} : Json(nullptr)},
             {"wireframe", view.wireframe},
-            {"tool", view.tool == MouseTool::camera ? "camera" : "view"}};
+            {"tool", tool_name(view.tool)},
+            {"brush_px", view.brush_px}};
   json["comparison"] = {{"active", view.comparison.active},
                         {"flips", view.comparison.flips},
                         {"shows_b", view.comparison.shows_b},
@@ -202,6 +219,7 @@ std::string state_text(const Workbench& bench) {
             {"frame_ms", bench.viewer.frame_times.mean_ms},
             {"parameters", parameters_of(bench.document.settings())},
             {"view", view_of(bench.view)},
+            {"painted", painted_of(bench.document)},
             {"passes", passes_of(bench)},
             {"pictures", pictures_of(bench, false)},
             {"pinned", pictures_of(bench, true)},

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "app/workbench/painted_marks.h"
 #include "pipeline/buffers.h"
 
 namespace inkbench {
@@ -38,7 +39,7 @@ struct MarkedPixel {
 };
 
 /// What dragging on a picture does.
-enum class MouseTool { view, camera };
+enum class MouseTool { view, camera, mark };
 
 struct ViewState {
   double zoom = 1.0;                      ///< 1 fits the picture into its tile.
@@ -47,6 +48,9 @@ struct ViewState {
   std::optional<BufferName> filled;  ///< The buffer that fills the window.
   Comparison comparison;
   MouseTool tool = MouseTool::view;
+  MarkBrush brush = MarkBrush::wanted;
+  double brush_px = 4;                         ///< Its radius in picture pixels.
+  std::optional<BrushStroke> stroke;           ///< Being painted.
   double magnification = 1.0;                  ///< Window pixels a picture pixel, as last drawn.
   std::optional<double> wanted_magnification;  ///< To set when tiles are next drawn.
   bool wireframe = false;                      ///< The meshes' edges over the pictures.

@@ -9,6 +9,7 @@
 #include "app/window/disk_watch.h"
 #include "app/window/judge_desk.h"
 #include "app/window/ladder_desk.h"
+#include "app/window/mark_overlay.h"
 #include "app/window/pass_timer.h"
 #include "app/window/pictures.h"
 #include "app/window/tile.h"
@@ -64,6 +65,7 @@ class Viewer {
   Pictures pictures;
   TilePainter tiles;
   WirePainter wires;
+  MarkOverlay marks;
   JudgeDesk judge;
   LadderDesk ladders;
   DiskWatch disk;

@@ -9,7 +9,7 @@ namespace inkbench {
 Workbench::Workbench(const Session& session, Keeping& kept)
     : keeping(kept),
       layout(session.layout),
-      document(session.settings, session.scene, problems),
+      document(session.settings, session.scene, problems, session.marks),
       news(wake_window),
       viewer(document, problems, layout, view, news),
       files(document, problems, kept.presets().folder(), takers()) {

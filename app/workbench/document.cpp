@@ -8,15 +8,20 @@
 
 namespace inkbench {
 
-Document::Document(const Settings& settings, const std::filesystem::path& scene, Problems& problems)
-    : problems_(problems), history_(settings), origins_{origin_in(scene, settings)} {}
+Document::Document(const Settings& settings, const std::filesystem::path& scene, Problems& problems,
+                   const PaintedMarks& marks)
+    : problems_(problems), history_(settings), origins_{origin_in(scene, settings, marks)} {}
 
 /// The baseline is what the file says now: what was changed since then is marked as changed.
-Document::Origin Document::origin_in(const std::filesystem::path& scene, const Settings& settings) {
-  if (scene.empty()) return {"unnamed", {}, settings};
-  Origin origin{scene.filename().string(), scene, settings};
+Document::Origin Document::origin_in(const std::filesystem::path& scene, const Settings& settings,
+                                     const PaintedMarks& marks) {
+  Origin origin{
+      "unnamed", {}, std::make_shared<const Settings>(settings), std::make_shared<const PaintedMarks>(marks)};
+  if (scene.empty()) return origin;
+  origin.name = scene.filename().string();
+  origin.scene = scene;
   try {
-    origin.baseline = load_scene_file(scene);
+    origin.baseline = std::make_shared<const Settings>(load_scene_file(scene));
   } catch (const Error&) {
     // It changed or went away since; its settings are here.
   }
@@ -78,17 +83,28 @@ void Document::take_from(Origin origin, const Settings& settings, const std::str
 }
 
 bool Document::take_over(const Settings& settings, const std::filesystem::path& scene,
-                         const std::string& step) {
-  return attempt([&] { take_from(origin_in(scene, settings), settings, step); });
+                         const PaintedMarks& marks, const std::string& step) {
+  return attempt([&] { take_from(origin_in(scene, settings, marks), settings, step); });
+}
+
+void Document::set_marks(PaintedMarks marks, const std::string& step) {
+  if (same_marks(marks, this->marks())) return;
+  Origin origin = this->origin();
+  origin.marks = std::make_shared<const PaintedMarks>(std::move(marks));
+  origins_.push_back(std::move(origin));
+  history_.record_origin(origins_.size() - 1, step);
+  ++revision_;
 }
 
 void Document::accept_from(const std::string& name, const std::filesystem::path& scene,
                            const Settings& settings, const std::string& step) {
-  take_from({name, scene, settings}, settings, step);
+  take_from({name, scene, std::make_shared<const Settings>(settings), std::make_shared<const PaintedMarks>()},
+            settings, step);
 }
 
 void Document::saved_as(const std::filesystem::path& file) {
-  origins_.push_back({file.filename().string(), file, settings()});
+  origins_.push_back(
+      {file.filename().string(), file, std::make_shared<const Settings>(settings()), origin().marks});
   history_.record_from(origins_.size() - 1, settings(), "");
   ++revision_;
 }

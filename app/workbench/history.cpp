@@ -53,6 +53,11 @@ bool History::record_from(size_t origin, Settings next, const std::string& name)
   return add_step(next, name, origin);
 }
 
+void History::record_origin(size_t origin, const std::string& name) {
+  end_edit();
+  add_step(current_, name, origin, true);
+}
+
 void History::begin_edit(const std::string& name) {
   end_edit();
   editing_ = true;
@@ -81,13 +86,13 @@ bool History::edit_has_changes() const {
   return editing_ && !same_settings(edit_start_, current_);
 }
 
-bool History::add_step(const Settings& before, const std::string& name, size_t origin) {
+bool History::add_step(const Settings& before, const std::string& name, size_t origin, bool even_if_equal) {
   Step step;
   step.origin_before = std::exchange(origin_, origin);
   step.origin_after = origin;
   step.changes = changed_params(before, current_);
   const bool one_structure = same_structure(before, current_);
-  if (step.changes.empty() && one_structure) return false;
+  if (step.changes.empty() && one_structure && !even_if_equal) return false;
   step.name = name.empty() ? changes_name(step.changes) : name;
   if (!one_structure) {
     step.changes.clear();

@@ -35,6 +35,8 @@ class History {
   /// and undo brings back the one before with its settings. At the start it is 0.
   bool record_from(size_t origin, Settings next, const std::string& name);
   size_t origin() const { return origin_; }
+  /// A step that changes nothing but the origin.
+  void record_origin(size_t origin, const std::string& name);
 
   /// An edit is a change in many small moves, such as dragging a slider, that is one step. One that comes
   /// back to where it began is none. `begin_edit` within an edit ends that one first.
@@ -77,7 +79,7 @@ class History {
 
   static void take_back(Settings& settings, const Step& step);
   bool edit_has_changes() const;
-  bool add_step(const Settings& before, const std::string& name, size_t origin);
+  bool add_step(const Settings& before, const std::string& name, size_t origin, bool even_if_equal = false);
   void keep_limits();
 
   HistoryLimits limits_;

@@ -75,7 +75,7 @@ Judgement judge_or_say_why(const JudgeRequest& request, const StopAsked& stop) {
 bool is_judged(const Measure& measure, const DrawingTally& tally) {
   const bool is_others =
       measure.needs == Need::nothing || measure.needs == Need::strengths || measure.needs == Need::causes;
-  return !is_others && !measure.of_path() && (!measure.of_level() || tally.ladder);
+  return !is_others && !measure.of_path() && !measure.of_marks() && (!measure.of_level() || tally.ladder);
 }
 
 LiveJudge::LiveJudge(News& news)

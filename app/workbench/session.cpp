@@ -31,7 +31,7 @@ std::string path_entry(const fs::path& path) {
 class SessionReader {
  public:
   SessionReader(const std::string& name, std::vector<std::string>& left_out)
-      : toml_(name), left_out_(left_out) {}
+      : name_(name), toml_(name), left_out_(left_out) {}
 
   void read(const TomlNode& table, Session& session) const {
     for (const auto& [key, node] : toml_.entries_of(table, "session")) {
@@ -44,6 +44,9 @@ class SessionReader {
         read_struct(WindowLayout::description(), &session.layout, node, "session.layout");
       } else if (key == "bookmark") {
         for (const TomlNode& item : toml_.items_of(node, key)) session.bookmarks.push_back(bookmark(item));
+      } else if (key == "marks") {
+        for (const TomlNode& item : toml_.items_of(node, key))
+          session.marks.push_back(read_camera_marks(item, name_, left_out_));
       } else {
         left_out_.push_back(left_out_name("session." + key, node));
       }
@@ -82,6 +85,7 @@ class SessionReader {
     return result;
   }
 
+  std::string name_;
   TomlReader toml_;
   std::vector<std::string>& left_out_;
 };
@@ -131,7 +135,7 @@ std::string session_text(const Session& session) {
             struct_text(CameraBookmark::description(), &bookmark) +
             struct_text(CameraParams::description(), &bookmark.camera);
   }
-  return text + settings_text(session.settings);
+  return text + marks_text(session.marks) + settings_text(session.settings);
 }
 
 Session parse_session(std::string_view text, const std::string& name, std::vector<std::string>* left_out) {

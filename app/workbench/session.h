@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What comes back at the next start: settings, scene, window, recent files, camera bookmarks. Here as a value
-// and as text; session_store.h keeps it on the disk.
+// What comes back at the next start: settings, scene, window, recent files, camera bookmarks, marks. Here as
+// a value and as text; session_store.h keeps it on the disk.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/workbench/painted_marks.h"
 #include "app/workbench/window_layout.h"
 #include "pipeline/settings/settings.h"
 
@@ -27,6 +28,7 @@ struct Session {
   WindowLayout layout;
   std::vector<std::filesystem::path> recent;  ///< Newest first, each once, at most `kMaxRecent`.
   std::vector<CameraBookmark> bookmarks;      ///< At most `kMaxBookmarks`.
+  PaintedMarks marks;                         ///< Over the pictures of these settings.
 };
 
 inline constexpr size_t kMaxRecent = 12, kMaxBookmarks = 100;

@@ -22,21 +22,18 @@ class DisjointSets {
     --count_;
   }
   int count() const { return count_; }
-
- private:
+  /// The least member of the one's set.
   int root(int a) {
     while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
     return a;
   }
 
+ private:
   std::vector<int> parent_;
   int count_;
 };
 
-}  // namespace
-
-int64_t component_count(const LineMap& map) {
-  const PixelIndex index(map);
+DisjointSets joined_neighbours(const LineMap& map, const PixelIndex& index) {
   DisjointSets sets(index.size());
   for (int i = 0; i < index.size(); ++i) {
     const auto [x, y] = index.pixel(i);
@@ -48,7 +45,30 @@ int64_t component_count(const LineMap& map) {
     join(x, y - 1);
     join(x + 1, y - 1);
   }
-  return sets.count();
+  return sets;
+}
+
+}  // namespace
+
+int64_t component_count(const LineMap& map) {
+  return joined_neighbours(map, PixelIndex(map)).count();
+}
+
+std::vector<std::vector<Pixel>> components_of(const LineMap& map) {
+  const PixelIndex index(map);
+  DisjointSets sets = joined_neighbours(map, index);
+  std::vector<std::vector<Pixel>> components;
+  std::vector<size_t> place(static_cast<size_t>(index.size()));  // of the component that begins there
+  for (int i = 0; i < index.size(); ++i) {
+    const int first = sets.root(i);
+    if (first == i) {
+      place[first] = components.size();
+      components.emplace_back();
+    }
+    const auto [x, y] = index.pixel(i);
+    components[place[first]].push_back({x, y});
+  }
+  return components;
 }
 
 int64_t end_count(const LineMap& map) {

@@ -11,6 +11,7 @@
 #include "studies/measures/causes.h"
 #include "studies/measures/flicker_tally.h"
 #include "studies/measures/ladder_tally.h"
+#include "studies/measures/marks.h"
 #include "studies/measures/strength_curve.h"
 #include "studies/measures/tally.h"
 
@@ -28,6 +29,7 @@ struct DrawingTally {
   std::optional<AntialiasingTally> antialiasing;  ///< Of placed lines.
   std::optional<StrengthCurve> strengths;         ///< The detector's, each view a picture.
   std::optional<FlickerTally> flicker;            ///< Between the frames of a path.
+  std::optional<MarkTally> marks;                 ///< Of what a person marked.
 
   void add(const DrawingTally& other);
 };

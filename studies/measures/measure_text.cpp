@@ -39,6 +39,8 @@ std::string needs_text(const Measure& measure) {
       return "reference lines, the detector's strength at 99 thresholds";
     case Need::causes:
       return "the drawing made again with one thing changed at a time";
+    case Need::marks:
+      return "a person's marks";
   }
   return "";
 }
@@ -109,7 +111,7 @@ std::vector<const Measure*> all_measures() {
 
 std::vector<const Measure*> measures_of_a_view(bool with_causes) {
   return measures_that([=](const Measure& measure) {
-    return !measure.of_path() && measure.needs != Need::strengths &&
+    return !measure.of_path() && !measure.of_marks() && measure.needs != Need::strengths &&
            (with_causes || measure.needs != Need::causes);
   });
 }

@@ -275,6 +275,30 @@ std::vector<Measure> curve_rows() {
   };
 }
 
+/// What a person asked for with marks.
+std::vector<Measure> mark_rows() {
+  return {
+      {.key = "marks",
+       .help = "How far the drawing complies with a person's marks: both shares below in one number.",
+       .label = "marks",
+       .better = kMore,
+       .needs = Need::marks,
+       .value = [](const Tally& t) { return t.marks ? t.marks->value() : std::nullopt; }},
+      {.key = "marks_wanted",
+       .help = "Of what was marked as wanted, this share has a line.",
+       .label = "wanted marks drawn",
+       .better = kMore,
+       .needs = Need::marks,
+       .value = [](const Tally& t) { return t.marks ? t.marks->wanted.share() : std::nullopt; }},
+      {.key = "marks_unwanted",
+       .help = "Of the lines that were marked as unwanted, this share is gone.",
+       .label = "unwanted lines gone",
+       .better = kMore,
+       .needs = Need::marks,
+       .value = [](const Tally& t) { return t.marks ? t.marks->unwanted.share() : std::nullopt; }},
+  };
+}
+
 template <size_t index>
 Value cause_count(const Tally& tally) {
   if (!tally.causes) return std::nullopt;
@@ -314,6 +338,7 @@ std::vector<Measure> make_table() {
   add(path_rows());
   add(placed_rows());
   add(curve_rows());
+  add(mark_rows());
   add_causes(table, std::make_index_sequence<kCauses>());
   return table;
 }
@@ -371,6 +396,9 @@ void MeasureNeeds::add(const Measure& measure) {
       break;
     case Need::causes:
       causes = true;
+      break;
+    case Need::marks:
+      marks = true;
       break;
   }
 }

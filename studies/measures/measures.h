@@ -30,6 +30,7 @@ enum class Need {
   placed_lines,      ///< Lines of a method that places them.
   strengths,         ///< What the detector sees, at 99 thresholds.
   causes,            ///< The drawing made again with one thing changed at a time.
+  marks,             ///< What a person marked in the picture.
 };
 
 enum class Better { more, less, neither };
@@ -54,6 +55,8 @@ struct Measure {
   bool of_level() const { return needs == Need::full_mesh || needs == Need::inner_lines; }
   /// Whether it compares the frames of a camera path.
   bool of_path() const { return needs == Need::frames || needs == Need::reference_frames; }
+  /// Whether it looks at what a person marked, which studies and single views know nothing of.
+  bool of_marks() const { return needs == Need::marks; }
 };
 
 /// All of them, in the order in which tables show them.
@@ -74,6 +77,7 @@ struct MeasureNeeds {
   bool ladder = false, inner = false;
   bool frames = false, reference_frames = false;
   bool antialiasing = false, strengths = false, causes = false;
+  bool marks = false;
 
   void add(const Measure& measure);
   /// Of all measures.

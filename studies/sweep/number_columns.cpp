@@ -8,7 +8,7 @@ namespace inkbench {
 std::vector<std::string> known_measures() {
   std::vector<std::string> names;
   for (const Measure& measure : measure_table()) {
-    if (!measure.in_every_study) names.push_back(measure.key);
+    if (!measure.in_every_study && !measure.of_marks()) names.push_back(measure.key);
   }
   return names;
 }

@@ -11,7 +11,8 @@ namespace inkbench {
 
 struct StudySpec;
 
-/// What `measure` in a spec may name: all measures but those of every study.
+/// What `measure` in a spec may name: all measures but those of every study and those of marks, of
+/// which a study has none.
 std::vector<std::string> known_measures();
 
 /// What `measure = true` stands for: of these, those that compare frames only along a camera path, and no

@@ -111,6 +111,10 @@ class SpecReader {
     if (!new_name.empty())
       throw input_error(toml_.at(item), "the measure '" + name + "' has another name now",
                         "write \"" + std::string(new_name) + "\"");
+    if (const Measure* measure = find_measure(name); measure != nullptr && measure->of_marks())
+      throw input_error(toml_.at(item),
+                        "the measure '" + name + "' looks at a person's marks, and a study has none",
+                        "search with them: `inkbench tune` and [[marks]]");
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw input_error(toml_.at(item), "unknown measure '" + name + "'", suggest(name, known));
     const bool compares_frames = find_measure(name)->of_path();

@@ -50,6 +50,12 @@ Objective default_objective() {
   return {{{find_measure("f1"), 1.0}}, {}};
 }
 
+Objective marks_objective(bool with_reference) {
+  Objective objective{{{find_measure("marks"), 1.0}}, {}};
+  if (with_reference) objective.terms.push_back({find_measure("f1"), 0.05});
+  return objective;
+}
+
 const Measure& searchable_measure(const std::string& name, const std::string& where) {
   std::vector<std::string> known;
   for (const Measure& measure : measure_table()) {

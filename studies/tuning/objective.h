@@ -37,6 +37,8 @@ struct Objective {
 
 /// F alone.
 Objective default_objective();
+/// Marks, and where `with_reference` a small weight on F.
+Objective marks_objective(bool with_reference);
 
 /// Errors (input): no such measure, one that cannot be searched for, a limit that is no number, no <= or >=.
 Constraint parse_constraint(const std::string& text, const std::string& where);

@@ -8,6 +8,7 @@
 #include "pipeline/base/files.h"
 #include "studies/sweep/run_study.h"
 #include "studies/sweep/study_folder.h"
+#include "studies/tuning/mark_report.h"
 #include "studies/tuning/trial_meter.h"
 #include "studies/tuning/tune_files.h"
 
@@ -33,8 +34,33 @@ Json json_of(const TuneSpec& spec, const Trial& trial) {
   return json;
 }
 
+Json json_of(const Compliance& drawing) {
+  Json strokes = Json::array();
+  for (const PictureStrokes& picture : drawing.pictures) {
+    for (const MarkedStroke& stroke : picture.strokes)
+      strokes.push_back({{"picture", picture.picture},
+                         {"kind", stroke.is_wanted ? "wanted" : "unwanted"},
+                         {"at", {stroke.centre.x, stroke.centre.y}},
+                         {"as_asked_px", stroke.counts.matched},
+                         {"px", stroke.counts.total},
+                         {"satisfied", stroke.is_satisfied()}});
+  }
+  const std::optional<double> value = drawing.tally.value();
+  return {{"drawing", drawing.name}, {"marks", value ? Json(*value) : Json()}, {"strokes", strokes}};
+}
+
+Json json_of(const MarkReport& report) {
+  Json methods = Json::array(), better = Json::array();
+  for (const Compliance& method : report.methods) methods.push_back(json_of(method));
+  for (const Compliance* method : report.better()) better.push_back(method->name);
+  return {{"default", json_of(report.initial)},
+          {"tuned", json_of(report.tuned)},
+          {"methods", methods},
+          {"better", better}};
+}
+
 std::string result_json(const TuneSpec& spec, const TuneResult& result, const PaperScores& paper,
-                        const std::string& verdict, const TuneCost& cost) {
+                        const std::string& verdict, const MarkReport* marks, const TuneCost& cost) {
   Json axes = Json::array(), left_out = Json::array();
   for (const AxisWorth& axis : result.axes) {
     if (axis.around.values.empty()) continue;
@@ -64,6 +90,7 @@ std::string result_json(const TuneSpec& spec, const TuneResult& result, const Pa
   json["leave_one_out"] = result.left_out_tuned ? json_of(*result.left_out_tuned) : Json();
   json["gained"] = result.is_gain() ? Json(*result.is_gain()) : Json();
   json["plateau"] = result.plateau;
+  if (marks != nullptr) json["marks"] = json_of(*marks);
   json["parameters"] = axes;
   json["left_out"] = left_out;
   json["stopped"] = result.stopped;
@@ -95,8 +122,8 @@ class TuneRun {
     std::error_code error;
     if (options_.fresh) fs::remove(file("trials.txt"), error);
     pipeline_.check_room(spec_.base.image);
-    paper_ = paper_scores();  // first: once stopped nothing is drawn
     TrialMeter meter(pipeline_, spec_, file("trials.txt"));
+    paper_ = paper_scores(meter);  // first: once stopped nothing is drawn
     const MeasureCandidates measure = [&](const std::vector<Values>& candidates,
                                           const std::vector<bool>& wanted) {
       return meter.measure(candidates, wanted);
@@ -108,6 +135,10 @@ class TuneRun {
       throw input_error("tune", "no candidate could be drawn: " + meter.problems().front());
     }
     outcome.problems = meter.problems();
+    if (spec_.has_marks()) {
+      marks_ = look_at_marks(pipeline_, spec_, outcome.result);
+      outcome.marks = mark_sentences(*marks_);
+    }
     outcome.cost = {meter.measured(), meter.known(),
                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
     outcome.verdict = verdict_of(spec_, outcome.result, paper_);
@@ -116,17 +147,16 @@ class TuneRun {
     write_file_atomically(file("trace.csv"), trace_csv(spec_, outcome.result));
     write_file_atomically(file("box.csv"), box_csv(spec_, outcome.result));
     write_file_atomically(file("profiles.csv"), profiles_csv(spec_, outcome.result));
-    write_file_atomically(file("tuning.json"),
-                          result_json(spec_, outcome.result, paper_, outcome.verdict, outcome.cost));
+    write_file_atomically(file("tuning.json"), result_json(spec_, outcome.result, paper_, outcome.verdict,
+                                                           marks_ ? &*marks_ : nullptr, outcome.cost));
   }
 
-  PaperScores paper_scores() {
-    const std::vector<const Measure*> measures = spec_.objective.measures();
-    DrawingMeter meter(pipeline_, MeasureNeeds::of(measures));
+  PaperScores paper_scores(TrialMeter& meter) {
     std::vector<DrawingTally> groups(spec_.groups.size());
     DrawingTally all;
-    for (const TunePicture& picture : spec_.pictures) {
-      const DrawingTally tally = meter.tally(pipeline_.at(papers_settings(picture_settings(spec_, picture))));
+    for (size_t p = 0; p < spec_.pictures.size(); ++p) {
+      const TunePicture& picture = spec_.pictures[p];
+      const DrawingTally tally = meter.tally(p, papers_settings(picture_settings(spec_, picture)));
       groups[picture.group].add(tally);
       all.add(tally);
     }
@@ -142,6 +172,7 @@ class TuneRun {
     study.extras.command = options_.command;
     study.extras.verdict = outcome.verdict;
     study.extras.tables = tune_tables(spec_, outcome.result, paper_, outcome.cost);
+    if (marks_) study.extras.tables.insert(study.extras.tables.begin() + 1, mark_table(*marks_));
     study.extras.links = {{"tuned.toml", "tuned.toml"},
                           {"trace.csv", "trace.csv"},
                           {"box.csv", "box.csv"},
@@ -163,6 +194,7 @@ class TuneRun {
   const TuneSpec& spec_;
   const TuneOptions& options_;
   PaperScores paper_;
+  std::optional<MarkReport> marks_;
 };
 
 }  // namespace

@@ -26,6 +26,8 @@ struct TuneOutcome {
   TuneResult result;
   TuneCost cost;
   std::string verdict;
+  std::vector<std::string>
+      marks;  ///< What of the marks could not be satisfied, a sentence each; empty without marks.
   std::filesystem::path preset, page;  ///< `page` is empty without a report.
   std::vector<std::string> problems;   ///< Why candidates, charts or pictures could not be made.
 };

@@ -70,14 +70,16 @@ LineTally lines_of(const Json& json) {
   return lines;
 }
 
+Json json_of(const MarkTally& marks) {
+  return {marks.wanted.matched, marks.wanted.total, marks.unwanted.matched, marks.unwanted.total};
+}
+
 Json json_of(const DrawingTally& tally) {
   Json recall = Json::array();
   for (const ShareCounts& share : tally.recall) recall.push_back({share.matched, share.total});
-  return {{"pixels", tally.pixels},
-          {"ink", tally.ink},
-          {"faces", tally.faces},
-          {"lines", json_of(tally.lines)},
-          {"recall", recall}};
+  return {{"pixels", tally.pixels}, {"ink", tally.ink},
+          {"faces", tally.faces},   {"lines", json_of(tally.lines)},
+          {"recall", recall},       {"marks", tally.marks ? json_of(*tally.marks) : Json()}};
 }
 
 DrawingTally tally_of(const Json& json) {
@@ -88,6 +90,8 @@ DrawingTally tally_of(const Json& json) {
   tally.lines = lines_of(json.at("lines"));
   for (size_t i = 0; i < tally.recall.size(); ++i)
     tally.recall[i] = {json.at("recall").at(i).at(0), json.at("recall").at(i).at(1)};
+  if (const Json& marks = json.at("marks"); !marks.is_null())
+    tally.marks = MarkTally{{marks.at(0), marks.at(1)}, {marks.at(2), marks.at(3)}};
   return tally;
 }
 

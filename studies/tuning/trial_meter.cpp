@@ -43,6 +43,7 @@ TrialMeter::TrialMeter(Pipeline& pipeline, const TuneSpec& spec, const std::file
       measures_(spec.objective.measures()),
       keys_(pipeline, MeasureNeeds::of(measures_)),
       journal_(journal),
+      marks_(pipeline, spec),
       truths_(spec.pictures.size()),
       workers_(thread_count(), 2 * thread_count()) {
   for (const Measure* measure : measures_) {
@@ -57,19 +58,30 @@ TrialMeter::TrialMeter(Pipeline& pipeline, const TuneSpec& spec, const std::file
   pipeline.keep_frames(kept_frames(spec));
 }
 
-Key TrialMeter::key_of(const Frame& frame) {
-  return KeyBuilder().add(origin_).add(keys_.key(frame)).key();
+Key TrialMeter::key_of(size_t picture, const Frame& frame) {
+  KeyBuilder builder;
+  builder.add(origin_).add(keys_.key(frame));
+  if (const PictureMarks::Entry* marks = needs_.marks ? marks_.find(picture) : nullptr)
+    builder.add(marks->key);
+  return builder.key();
 }
 
 std::shared_ptr<const TrialMeter::Truth> TrialMeter::truth(size_t picture, const Frame& frame) {
   const JudgeParams& judge = frame.settings().judge;
-  const Key key = KeyBuilder().add(frame.key(BufferName::reference)).add(judge_text(judge)).key();
+  Key key;
+  if (needs_reference())
+    key = KeyBuilder().add(frame.key(BufferName::reference)).add(judge_text(judge)).key();
   std::shared_ptr<const Truth>& held = truths_[picture];
   if (held && held->key == key) return held;
   auto made = std::make_shared<Truth>();
   made->key = key;
-  made->lines = frame.value<ReferencePass>();
-  made->view = line_view({}, *made->lines, judge);
+  if (needs_.marks) {
+    if (const PictureMarks::Entry* marks = marks_.find(picture)) made->marks = &marks->counted;
+  }
+  if (needs_reference()) {
+    made->lines = frame.value<ReferencePass>();
+    made->view = line_view({}, *made->lines, judge);
+  }
   if (needs_f1_) made->counted = counted_reference(made->view.wanted, &made->view.allowed);
   held = std::move(made);
   return held;
@@ -79,6 +91,7 @@ DrawingTally TrialMeter::tally(const LineMap& drawn, const Truth& truth, const J
   LineView view = truth.view;
   view.drawn = drawn;
   DrawingTally tally = tally_view({view, truth.lines.get(), nullptr}, judge, needs_);
+  if (truth.marks != nullptr) tally.marks = tally_marks(*truth.marks, drawn);
   if (!needs_f1_ || needs_.lines) return tally;
   const F1Counts counts = tally_f1(drawn, truth.counted, judge.tolerance);
   tally.lines.predicted = counts.predicted;
@@ -87,9 +100,15 @@ DrawingTally TrialMeter::tally(const LineMap& drawn, const Truth& truth, const J
   return tally;
 }
 
+DrawingTally TrialMeter::tally(size_t picture, const Settings& settings) {
+  const Frame frame = pipeline_.at(settings);
+  const std::shared_ptr<const Truth> known = truth(picture, frame);
+  return tally(line_map_from(frame.raw(BufferName::lines)), *known, settings.judge);
+}
+
 /// On this thread the drawing, on another one the measuring.
 TrialMeter::Pending TrialMeter::start(size_t picture, const Frame& frame) {
-  const Key key = key_of(frame);
+  const Key key = key_of(picture, frame);
   if (const auto found = pending_.find(key); found != pending_.end()) {
     ++known_;
     return found->second;

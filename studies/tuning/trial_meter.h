@@ -12,6 +12,7 @@
 #include "studies/judging/drawing_meter.h"
 #include "studies/measures/tally.h"
 #include "studies/sweep/result_origin.h"
+#include "studies/tuning/picture_marks.h"
 #include "studies/tuning/trial_journal.h"
 #include "studies/tuning/tune_spec.h"
 
@@ -26,6 +27,9 @@ class TrialMeter {
   /// As `MeasureCandidates`. A candidate that cannot be drawn has no tallies, and its error is kept.
   std::vector<GroupTallies> measure(const std::vector<Values>& candidates, const std::vector<bool>& wanted);
 
+  /// Of one picture drawn with any settings; not kept. Errors: as `Frame::raw`.
+  DrawingTally tally(size_t picture, const Settings& settings);
+
   /// Drawings so far: measured by this run, and known from an earlier one or from equal lines.
   size_t measured() const { return measured_; }
   size_t known() const { return known_; }
@@ -36,7 +40,8 @@ class TrialMeter {
   /// What a picture's lines are measured against.
   struct Truth {
     Key key;
-    std::shared_ptr<const ReferenceLines> lines;
+    std::shared_ptr<const ReferenceLines> lines;  ///< Null where no measure asks for them.
+    const CountedMarks* marks = nullptr;
     LineView view;  ///< Without drawn lines.
     CountedReference counted;
   };
@@ -46,7 +51,8 @@ class TrialMeter {
   std::shared_ptr<const Truth> truth(size_t picture, const Frame& frame);
   Pending start(size_t picture, const Frame& frame);
   DrawingTally tally(const LineMap& drawn, const Truth& truth, const JudgeParams& judge) const;
-  Key key_of(const Frame& frame);
+  Key key_of(size_t picture, const Frame& frame);
+  bool needs_reference() const { return needs_f1_ || needs_.reference_lines(); }
   void keep_measured();
 
   Pipeline& pipeline_;
@@ -58,6 +64,7 @@ class TrialMeter {
   DrawingMeter keys_;
   std::string origin_;
   TrialJournal journal_;
+  PictureMarks marks_;
   std::vector<std::shared_ptr<const Truth>> truths_;  ///< By picture.
   std::map<Key, Pending> pending_;
   size_t measured_ = 0, known_ = 0;

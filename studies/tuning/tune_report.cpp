@@ -239,11 +239,14 @@ StudySpec before_and_after(const TuneSpec& spec, const TuneResult& result) {
   study.purpose = spec.purpose;
   study.base = spec.base;
   study.show = {BufferName::final, BufferName::lines};
-  for (const char* key : {"f1", "precision", "recall"}) study.measures.emplace_back(key);
-  for (const Measure* measure : spec.objective.measures()) {
+  const std::vector<const Measure*> measures = spec.objective.measures();
+  if (MeasureNeeds::of(measures).reference_lines()) {
+    for (const char* key : {"f1", "precision", "recall"}) study.measures.emplace_back(key);
+  }
+  for (const Measure* measure : measures) {
     const bool is_there =
         std::find(study.measures.begin(), study.measures.end(), measure->key) != study.measures.end();
-    if (!is_there && !measure->in_every_study) study.measures.push_back(measure->key);
+    if (!is_there && !measure->in_every_study && !measure->of_marks()) study.measures.push_back(measure->key);
   }
   study.assignments = spec.assignments;
   if (spec.pictures.size() > 1 || !spec.pictures.front().set.empty()) {

@@ -26,7 +26,7 @@ class TuneSpecReader {
 
   TuneSpec read(const std::vector<std::string>& assignments) {
     toml_.check_keys(document_, {"title", "purpose", "like", "scene", "size", "set", "view", "group",
-                                 "leave_out", "search", "objective", "budget", "seed"});
+                                 "leave_out", "marks", "search", "objective", "budget", "seed"});
     spec_.title = toml_.text_entry(document_, "title", path_.stem().string());
     spec_.purpose = toml_.text_entry(document_, "purpose", "");
     if (const TomlNode* like = document_.find("like")) {
@@ -37,6 +37,7 @@ class TuneSpecReader {
     }
     for (const std::string& assignment : assignments) apply_assignment(spec_.base, assignment);
     spec_.assignments = assignments;
+    read_marks_tables();
     read_search();
     read_objective();
     spec_.budget = static_cast<int>(whole("budget", spec_.budget, kLeastBudget, kMostBudget));
@@ -94,12 +95,64 @@ class TuneSpecReader {
     for (size_t g = 0; g < groups.size(); ++g) {
       for (size_t v = 0; v < views.size(); ++v) {
         const bool is_pair = !groups[g].name.empty() && !views[v].name.empty();
-        TunePicture picture{groups[g].name + (is_pair ? "_" : "") + views[v].name, by_view ? v : g,
-                            groups[g].set};
+        TunePicture picture;
+        picture.name = groups[g].name + (is_pair ? "_" : "") + views[v].name;
+        picture.group = by_view ? v : g;
+        picture.of_group = has_groups ? groups[g].name : "";
+        picture.of_view = views[v].name;
+        picture.set = groups[g].set;
         picture.set.insert(picture.set.end(), views[v].set.begin(), views[v].set.end());
         spec_.pictures.push_back(std::move(picture));
       }
     }
+  }
+
+  /// What is asked for in particular pictures is not left out in turn, unless the spec says so.
+  void read_marks_tables() {
+    const std::vector<const TomlNode*> tables = toml_.tables(document_, "marks");
+    for (const TomlNode* table : tables) {
+      toml_.check_keys(*table, {"group", "view", "file"});
+      TunePicture& picture = spec_.pictures[picture_of(*table)];
+      if (picture.marks)
+        throw input_error(toml_.at(*table), "second marks of the same picture", "put them into one file");
+      const TomlNode* file = table->find("file");
+      if (file == nullptr)
+        throw input_error(toml_.at(*table), "[[marks]] without a file", "name it: file = \"front.png\"");
+      const Settings settings = picture_settings(spec_, picture);
+      picture.marks = read_marks(path_.parent_path() / toml_.text_of(*file, "file"), settings.image.width,
+                                 settings.image.height);
+    }
+    if (tables.empty() || document_.find("leave_out") != nullptr) return;
+    spec_.groups = {"all"};
+    for (TunePicture& picture : spec_.pictures) picture.group = 0;
+  }
+
+  /// The picture that a table's group and view name.
+  size_t picture_of(const TomlNode& table) const {
+    const std::string group = place_entry(table, "group", &TunePicture::of_group);
+    const std::string view = place_entry(table, "view", &TunePicture::of_view);
+    const auto found = std::find_if(
+        spec_.pictures.begin(), spec_.pictures.end(),
+        [&](const TunePicture& picture) { return picture.of_group == group && picture.of_view == view; });
+    return static_cast<size_t>(found - spec_.pictures.begin());
+  }
+
+  /// One of the spec's groups or views; "" where it has none.
+  std::string place_entry(const TomlNode& table, const std::string& kind,
+                          std::string TunePicture::*name) const {
+    std::vector<std::string> known;
+    for (const TunePicture& picture : spec_.pictures) {
+      if (std::find(known.begin(), known.end(), picture.*name) == known.end()) known.push_back(picture.*name);
+    }
+    const TomlNode* node = table.find(kind);
+    if (node == nullptr) {
+      if (known.size() == 1) return known.front();
+      throw input_error(toml_.at(table), "[[marks]] without a " + kind, "one of: " + join(known, ", "));
+    }
+    const std::string text = toml_.text_of(*node, kind);
+    if (std::find(known.begin(), known.end(), text) != known.end()) return text;
+    throw input_error(toml_.at(*node), "there is no " + kind + " '" + text + "'",
+                      known == std::vector<std::string>{""} ? "leave it out" : suggest(text, known));
   }
 
   bool leaves_out_views(bool has_groups, bool has_views) const {
@@ -206,11 +259,56 @@ class TuneSpecReader {
   }
 
   void read_objective() {
-    spec_.objective = default_objective();
     const TomlNode* table = document_.find("objective");
-    if (table == nullptr) return;
+    const bool with_reference = table == nullptr || reads_reference(*table);
+    spec_.objective = spec_.has_marks() ? marks_objective(with_reference) : default_objective();
+    if (table != nullptr) read_terms(*table);
+    const std::string where = table == nullptr ? path_.string() : toml_.at(*table);
+    if (!with_reference) check_no_reference(where);
+    check_marks(where);
+  }
+
+  bool reads_reference(const TomlNode& table) const {
+    const TomlNode* node = table.find("reference");
+    if (node == nullptr) return true;
+    if (node->kind != TomlNode::Kind::boolean)
+      throw input_error(toml_.at(*node), "reference is " + node->kind_name(), "it must be true or false");
+    return node->boolean;
+  }
+
+  void check_no_reference(const std::string& where) const {
+    for (const Measure* measure : spec_.objective.measures()) {
+      MeasureNeeds needs;
+      needs.add(*measure);
+      if (needs.reference_lines())
+        throw input_error(where, measure->key + " needs reference lines, and reference = false",
+                          "leave that line out, or look at marks alone");
+    }
+  }
+
+  /// Marks are looked at, and what looks at marks alone has them everywhere.
+  void check_marks(const std::string& where) const {
+    const std::vector<const Measure*> measures = spec_.objective.measures();
+    const auto of_marks = std::count_if(measures.begin(), measures.end(),
+                                        [](const Measure* measure) { return measure->of_marks(); });
+    if (of_marks > 0 && !spec_.has_marks())
+      throw input_error(where, "the objective looks at marks, and there are none",
+                        "add [[marks]] with a file");
+    if (of_marks == 0 && spec_.has_marks())
+      throw input_error(where, "there are [[marks]], and the objective looks at none of them",
+                        "add marks = 1 to [objective]");
+    const bool are_alone = of_marks > 0 && of_marks == static_cast<long>(measures.size());
+    for (const TunePicture& picture : spec_.pictures) {
+      if (are_alone && !picture.marks)
+        throw input_error(where, picture.name + " has no marks, and the objective looks at nothing else",
+                          "give it [[marks]], or leave it out");
+    }
+  }
+
+  void read_terms(const TomlNode& table) {
     std::vector<ObjectiveTerm> terms;
-    for (const auto& [key, node] : toml_.entries_of(*table, "objective")) {
+    for (const auto& [key, node] : toml_.entries_of(table, "objective")) {
+      if (key == "reference") continue;
       if (key == "constraints") {
         for (const TomlNode& item : toml_.items_of(node, key))
           spec_.objective.constraints.push_back(parse_constraint(toml_.text_of(item, key), toml_.at(item)));
@@ -240,6 +338,11 @@ class TuneSpecReader {
 };
 
 }  // namespace
+
+bool TuneSpec::has_marks() const {
+  return std::any_of(pictures.begin(), pictures.end(),
+                     [](const TunePicture& picture) { return picture.marks.has_value(); });
+}
 
 TuneSpec load_tune_spec(const fs::path& path, const std::vector<std::string>& assignments) {
   if (!is_utf8(path.string()))

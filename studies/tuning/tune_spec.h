@@ -4,10 +4,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "studies/sweep/spec.h"
+#include "studies/tuning/mark_file.h"
 #include "studies/tuning/tuner.h"
 
 namespace inkbench {
@@ -17,6 +19,8 @@ struct TunePicture {
   std::string name;  ///< "rabbit_front".
   size_t group = 0;
   std::vector<Assignment> set;
+  std::string of_group, of_view;  ///< The [[group]] and [[view]] that it is of; "" where there are none.
+  std::optional<MarkFile> marks;
 };
 
 struct TuneSpec {
@@ -30,6 +34,7 @@ struct TuneSpec {
   std::vector<std::string> groups;    ///< What is left out in turn; at least one.
   std::string group_kind;             ///< "group" or "view": what a group is.
   std::vector<TunePicture> pictures;  ///< At least one in each group.
+  bool has_marks() const;
   int budget = 400;
   uint64_t seed = 1;
   std::vector<std::string> assignments;  ///< `--set` texts that came on top.
@@ -40,7 +45,8 @@ inline constexpr int kLeastBudget = 10;
 inline constexpr int kMostBudget = 1'000'000;
 
 /// Errors (input): file:line for broken TOML, unknown keys, parameters that cannot be searched, ends that the
-/// parameter does not accept, unknown measures, a budget out of range, a search without [[search]].
+/// parameter does not accept, unknown measures, a budget out of range, a search without [[search]], marks of
+/// no picture, marks files that cannot be read or have another size than their picture.
 TuneSpec load_tune_spec(const std::filesystem::path& path, const std::vector<std::string>& assignments = {});
 TuneSpec parse_tune_spec(const std::string& text, const std::filesystem::path& name,
                          const std::vector<std::string>& assignments = {});

@@ -37,6 +37,14 @@ TEST(Components, diagonal_neighbours_are_connected) {
   EXPECT_EQ(component_count(LineMap(5, 5)), 0);
 }
 
+TEST(Components, each_part_has_its_pixels_in_order) {
+  const LineMap map = from_rows({"..#.", "#..#", "#..."});
+  const std::vector<std::vector<Pixel>> parts = components_of(map);
+  ASSERT_EQ(parts.size(), 2);
+  EXPECT_EQ(parts[0], (std::vector<Pixel>{{2, 0}, {3, 1}}));
+  EXPECT_EQ(parts[1], (std::vector<Pixel>{{0, 1}, {0, 2}}));
+}
+
 TEST(Components, parts_that_meet_late_are_one) {
   EXPECT_EQ(component_count(from_rows({"#.#.#.#", "#.#.#.#", "#######"})), 1);
   EXPECT_EQ(component_count(from_rows({"#...#", "#.#.#", "#.#.#", "###.#"})), 2);

@@ -112,7 +112,7 @@ TEST_F(DocumentTest, without_a_file_it_is_unnamed) {
 }
 
 TEST_F(DocumentTest, undo_brings_back_where_the_settings_came_from) {
-  EXPECT_TRUE(document_.take_over(load_settings(scene_file()), scene_file(), "open other.toml"));
+  EXPECT_TRUE(document_.take_over(load_settings(scene_file()), scene_file(), {}, "open other.toml"));
   EXPECT_EQ(document_.scene_name(), "other.toml");
   EXPECT_EQ(document_.baseline().combine.k_depth, 0.25F);
   document_.undo();
@@ -124,7 +124,7 @@ TEST_F(DocumentTest, settings_that_cannot_be_a_scene_are_not_taken_over) {
   Settings bad = start_;
   bad.lights.at(0).type = LightType::directional;
   bad.lights.at(0).direction = glm::vec3(0.0F);
-  EXPECT_FALSE(document_.take_over(bad, {}, "bad"));
+  EXPECT_FALSE(document_.take_over(bad, {}, {}, "bad"));
   EXPECT_THAT(problem(), HasSubstr("direction"));
   EXPECT_EQ(document_.scene_name(), "paper.toml");
 }

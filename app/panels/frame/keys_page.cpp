@@ -31,6 +31,7 @@ constexpr std::array kPictures{
     Entry{"J", "judge the lines; back to the inspector"},
     Entry{"P", "pin this state to compare with"},
     Entry{"W", "show the meshes' triangles"},
+    Entry{"M", "paint what is wanted and what is not"},
     Entry{"Right click", "save it, fit its range, copy its command"},
 };
 

@@ -13,6 +13,7 @@
 #include "app/panels/frame/status_bar.h"
 #include "app/panels/frame/timings.h"
 #include "app/panels/frame/toolbar.h"
+#include "app/panels/pictures/mark_brush.h"
 #include "app/panels/widgets/attempt.h"
 #include "app/panels/widgets/held_drag.h"
 #include "app/panels/widgets/hover.h"
@@ -218,6 +219,7 @@ void MainFrame::draw_menu_bar() {
 
 void MainFrame::draw_pictures() {
   draw_toolbar(bench_.viewer, bench_.layout, bench_.view, bench_.ui_map);
+  draw_brush_tools(bench_.document, bench_.view, bench_.ui_map);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   sheet_.draw();
   draw_notices(bench_.document, bench_.viewer, bench_.layout, bench_.keeping, bench_.problems, bench_.ui_map,

@@ -94,6 +94,7 @@ void Shortcuts::keys_of_pictures() {
   if (letter_pressed('l')) next_overlay(layout_);
   if (letter_pressed('v')) view_.tool = MouseTool::view;
   if (letter_pressed('o')) view_.tool = MouseTool::camera;
+  if (letter_pressed('m')) view_.tool = MouseTool::mark;
 }
 
 void Shortcuts::keys_of_panels(const ShownParts& shown) {

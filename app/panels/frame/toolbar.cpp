@@ -77,7 +77,7 @@ void pin_tool(Viewer& viewer, ViewState& view, UiMap& ui_map) {
 void mouse_tools(ViewState& view, UiMap& ui_map) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float width = button_width("Wireframe") + spacing + button_width("Pan") + button_width("Orbit") +
-                      button_width("Fit") + button_width("1:1") + 3 * spacing + 2;
+                      button_width("Mark") + button_width("Fit") + button_width("1:1") + 3 * spacing + 4;
   const float place = ImGui::GetWindowContentRegionMax().x - width;
   ImGui::SameLine();
   if (place > ImGui::GetCursorPosX()) {
@@ -99,6 +99,11 @@ void mouse_tools(ViewState& view, UiMap& ui_map) {
           "nearer (O, or hold Alt)."))
     view.tool = MouseTool::camera;
   ui_map.mark_item("tool:camera");
+  ImGui::SameLine(0, 2);
+  if (toggle_button("Mark", view.tool == MouseTool::mark,
+                    "Dragging paints where lines are wanted, and which are not (M)."))
+    view.tool = MouseTool::mark;
+  ui_map.mark_item("tool:mark");
   ImGui::SameLine();
   if (ImGui::Button("Fit")) view.fit();
   help_for_item("Fit the pictures into their tiles (F).");

@@ -163,7 +163,8 @@ void draw_others(const Judgement& now, const Judgement* then) {
   heading("All measures");
   for (const Measure& measure : measure_table()) {
     const bool is_above = measure.is_headline || measure.needs == Need::reference_class || measure.of_level();
-    if (is_above || measure.of_path() || measure.needs == Need::nothing || measure.kind == MeasureKind::flag)
+    if (is_above || measure.of_path() || measure.of_marks() || measure.needs == Need::nothing ||
+        measure.kind == MeasureKind::flag)
       continue;
     draw_row(row_of(measure, now, then), then != nullptr);
   }

@@ -72,12 +72,14 @@ void draw_comparison(Document& document, Viewer& viewer, ViewState& view, UiMap&
   const float x = split_x(view, rect);
   const bool mouse_on_b = comparison.flips ? comparison.shows_b : ImGui::GetIO().MousePos.x >= x;
   const ComparedPicture& under = mouse_on_b ? comparison.b : comparison.a;
-  handle_tile_mouse(document, viewer.pictures, view, ui_map, "tile:comparison", under, rect);
+  handle_tile_mouse(document, viewer, view, ui_map, "tile:comparison", under, rect);
   TileRect left = rect;
   TileRect right = rect;
   if (!comparison.flips) left.high.x = right.low.x = x;
-  if (!comparison.flips || !comparison.shows_b) draw_picture(viewer, view, "A", comparison.a, rect, left);
-  if (!comparison.flips || comparison.shows_b) draw_picture(viewer, view, "B", comparison.b, rect, right);
+  if (!comparison.flips || !comparison.shows_b)
+    draw_picture(document, viewer, view, "A", comparison.a, rect, left);
+  if (!comparison.flips || comparison.shows_b)
+    draw_picture(document, viewer, view, "B", comparison.b, rect, right);
   ImGui::GetWindowDrawList()->AddRect(rect.low, rect.high, theme().line);
   if (!comparison.flips) draw_divider(view, rect, hot);
   const float in = scaled(8);

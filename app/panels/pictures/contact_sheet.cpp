@@ -129,13 +129,13 @@ void ContactSheet::draw_tile(BufferName buffer, const TileRect& picture) {
   const std::string name(name_of(buffer));
   const ComparedPicture which{buffer, false};
   const TileMouse mouse =
-      handle_tile_mouse(document_, viewer_.pictures, view_, ui_map_, "tile:" + name, which, picture);
+      handle_tile_mouse(document_, viewer_, view_, ui_map_, "tile:" + name, which, picture);
   draw_picture_menu(document_, viewer_.pictures, view_, problems_, wanted_dialog_, ui_map_, buffer);
   if (mouse.clicked) view_.selected = buffer;
   if (mouse.double_clicked) {
     view_.filled = view_.filled ? std::nullopt : std::optional(buffer);
   }
-  draw_picture(viewer_, view_, name, which, picture, picture);
+  draw_picture(document_, viewer_, view_, name, which, picture, picture);
   draw_lack(ui_map_, buffer, document_.settings(), picture);
   const bool selected = view_.selected == buffer;
   const float out = selected ? scaled(1) : 0;

@@ -8,6 +8,7 @@
 
 #include "app/panels/pictures/camera_mouse.h"
 #include "app/panels/pictures/mark.h"
+#include "app/panels/pictures/mark_brush.h"
 #include "app/panels/widgets/held_drag.h"
 #include "app/window/theme.h"
 
@@ -73,8 +74,8 @@ TileFrame frame_of(const Pictures& pictures, const ComparedPicture& which, const
   return frame;
 }
 
-void draw_picture(Viewer& viewer, ViewState& view, const std::string& slot, const ComparedPicture& which,
-                  const TileRect& rect, const TileRect& clip) {
+void draw_picture(const Document& document, Viewer& viewer, ViewState& view, const std::string& slot,
+                  const ComparedPicture& which, const TileRect& rect, const TileRect& clip) {
   const ShownPicture& shown = picture_of(viewer.pictures, which);
   const int width = static_cast<int>(rect.width());
   const int height = static_cast<int>(rect.height());
@@ -95,20 +96,26 @@ void draw_picture(Viewer& viewer, ViewState& view, const std::string& slot, cons
   list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(tile.id())), rect.low, rect.high, {0, 1},
                 {1, 0});
   if (view.wireframe && !which.pinned) draw_wires(viewer, place, rect);
+  if (!which.pinned) draw_marks(document, viewer, view, frame);
   draw_mark(view, frame);
   list.PopClipRect();
 }
 
-TileMouse handle_tile_mouse(Document& document, Pictures& pictures, ViewState& view, UiMap& ui_map,
+TileMouse handle_tile_mouse(Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map,
                             const std::string& id, const ComparedPicture& which, const TileRect& rect) {
   ImGui::SetCursorScreenPos(rect.low);
   ImGui::InvisibleButton(id.c_str(), {std::max(rect.width(), 1.0F), std::max(rect.height(), 1.0F)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                              ImGuiButtonFlags_MouseButtonRight);
   ui_map.mark_item(id);
-  const TileFrame frame = frame_of(pictures, which, rect);
+  const TileFrame frame = frame_of(viewer.pictures, which, rect);
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) remember_hover(view, which, frame);
+  if (!which.pinned && brush_mouse(document, viewer, view, frame)) {
+    if (!ImGui::GetIO().KeyCtrl)
+      move_view(view, frame, ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0F));
+    return {hovered};
+  }
   mark_with_mouse(view, frame, which.pinned);
   if (!which.pinned && camera_mouse(document, view, frame)) return {hovered};
   const bool held = ImGui::IsItemActive();

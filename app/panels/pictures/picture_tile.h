@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One picture in the window: drawn at its tile's size, with the mouse's zoom, pan and camera on it.
+// One picture in the window: drawn at its tile's size, with the mouse's zoom, pan, camera and brush on it.
 #pragma once
 
 #include <imgui.h>
@@ -22,16 +22,16 @@ struct TileRect {
 
 /// Draws a picture's part that the view shows into the rectangle; nothing where there is no picture yet.
 /// `clip`: what of the rectangle is drawn.
-void draw_picture(Viewer& viewer, ViewState& view, const std::string& slot, const ComparedPicture& which,
-                  const TileRect& rect, const TileRect& clip);
+void draw_picture(const Document& document, Viewer& viewer, ViewState& view, const std::string& slot,
+                  const ComparedPicture& which, const TileRect& rect, const TileRect& clip);
 
-/// What the mouse did on a tile besides zoom, pan and camera, which are done here.
+/// What the mouse did on a tile besides zoom, pan, camera and brush, which are done here.
 struct TileMouse {
   bool hovered = false, clicked = false, double_clicked = false;
 };
 
 /// An ImGui item over the rectangle that takes the mouse.
-TileMouse handle_tile_mouse(Document& document, Pictures& pictures, ViewState& view, UiMap& ui_map,
+TileMouse handle_tile_mouse(Document& document, Viewer& viewer, ViewState& view, UiMap& ui_map,
                             const std::string& id, const ComparedPicture& which, const TileRect& rect);
 
 /// The rectangle and the picture in it, for `view_state.h`.
