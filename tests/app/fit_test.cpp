@@ -115,6 +115,14 @@ TEST_F(AppFit, moves_what_is_ticked_and_judges_from_the_kept_cameras) {
   EXPECT_EQ(found["fit"]["result"]["values"].size(), 1U);
 }
 
+TEST_F(AppFit, any_parameters_name_offers_to_let_a_fit_move_it) {
+  open_bad();
+  click("name:mesh.subdivide", 3);
+  click("let fit:mesh.subdivide");
+  const Json ticked = wait_for("the tick", [](const Json& now) { return now["fit"]["ticked"].size() == 3; });
+  EXPECT_EQ(ticked["fit"]["ticked"][2], "mesh.subdivide");
+}
+
 TEST_F(AppFit, closing_the_window_ends_the_search) {
   std::filesystem::create_directories(file("tmp"));
   environment_["TMPDIR"] = file("tmp").string();
