@@ -12,7 +12,7 @@
 namespace inkbench {
 
 struct FitOptions {
-  int budget = 200;               ///< Candidates at most.
+  int budget = 400;               ///< Candidates at most.
   bool uses_kept_cameras = true;  ///< All that are kept, instead of the present one.
 
   static const Description& description();  ///< Of `budget`.
@@ -22,7 +22,7 @@ struct FitRequest {
   Settings settings;                  ///< What the search begins from.
   std::vector<std::string> keys;      ///< At least one, each as `can_fit` allows.
   std::vector<CameraParams> cameras;  ///< Judged together; none: the settings' own.
-  int budget = 200;
+  int budget = 400;
 };
 
 /// Whether the parameter can be searched for, has an effect in these settings, and is no part of what the
