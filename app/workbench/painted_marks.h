@@ -60,11 +60,13 @@ LineMap pixels_of(const BrushStroke& stroke, int width_px, int height_px);
 /// Paints over what is there. `drawn`: the lines now, which the marked pixels keep.
 void paint(MarkMaps& marks, const BrushStroke& stroke, const LineMap& drawn);
 
-/// The tables of a session: [[session.marks]].
-std::string marks_text(const PaintedMarks& marks);
+/// As [[`table`]] of a TOML document.
+std::string marks_text(const PaintedMarks& marks, const std::string& table = "marks");
 /// One of them. Errors (input): `name:line` of what is broken in it.
 CameraMarks read_camera_marks(const TomlNode& table, const std::string& name,
                               std::vector<std::string>& left_out);
+/// A document of nothing else. Errors (input): the same, and broken TOML.
+PaintedMarks parse_marks(const std::string& text, const std::string& name);
 
 /// A view of a search.
 struct MarkedView {
