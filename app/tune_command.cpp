@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/hear_signals.h"
@@ -25,7 +27,7 @@ struct TuneArguments {
   std::string spec, out, progress = "text";
   std::vector<std::string> assignments;
   int budget = 0, seed = -1;
-  bool fresh = false, dry_run = false;
+  bool fresh = false, dry_run = false, no_report = false;
 };
 
 std::vector<fs::path> bundled_searches() {
@@ -77,6 +79,23 @@ void print_plan(const TuneSpec& spec) {
   flush_out();
 }
 
+/// {"done":12,"total":200,"objective":0.91,"best":0.95,"values":{"combine.k_depth":"0.003"},"seconds":0.845}:
+/// of the values the best ones.
+std::string json_of(const TuneSpec& spec, const Trial& trial, size_t done, const Trial& best,
+                    double seconds) {
+  using Line = nlohmann::ordered_json;
+  const auto objective = [](const Trial& of) { return of.score == kNoScore ? Line() : Line(of.score.value); };
+  Line values = Line::object();
+  for (size_t i = 0; i < spec.space.size(); ++i) values[spec.space[i].key] = to_text(best.values[i]);
+  const Line json{{"done", done},
+                  {"total", spec.budget},
+                  {"objective", objective(trial)},
+                  {"best", objective(best)},
+                  {"values", values},
+                  {"seconds", std::round(1e3 * seconds) / 1e3}};
+  return json.dump(-1, ' ', false, Line::error_handler_t::replace);
+}
+
 ProgressNote note_of(const TuneSpec& spec, const Trial& trial, size_t done, const Trial& best,
                      double seconds) {
   const std::string rate =
@@ -84,9 +103,7 @@ ProgressNote note_of(const TuneSpec& spec, const Trial& trial, size_t done, cons
   return {seconds,
           fmt::format("{} / {} candidates{}, {}: best {} at {}", done, spec.budget, rate, trial.stage,
                       score_text(best.score), values_text(spec.space, best.values)),
-          fmt::format(R"({{"done":{},"total":{},"objective":{},"best":{},"seconds":{:.3f}}})", done,
-                      spec.budget, trial.score == kNoScore ? "null" : shortest(trial.score.value),
-                      best.score == kNoScore ? "null" : shortest(best.score.value), seconds)};
+          json_of(spec, trial, done, best, seconds)};
 }
 
 void run(const TuneSpec& spec, const TuneArguments& arguments) {
@@ -99,6 +116,7 @@ void run(const TuneSpec& spec, const TuneArguments& arguments) {
   options.folder = arguments.out.empty() ? fs::path("out") / ("tune_" + spec.path.stem().string())
                                          : fs::path(arguments.out);
   options.fresh = arguments.fresh;
+  options.report = !arguments.no_report;
   options.command = command_of(spec, arguments);
   options.on_progress = [&](const Trial& trial, size_t done, const Trial& best) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -156,6 +174,7 @@ void add_tune_command(CLI::App& app) {
       ->add_option("--progress", arguments->progress,
                    "text, or json: a line on stdout for each step, for other programs")
       ->check(CLI::IsMember({"text", "json"}));
+  command->add_flag("--no-report", arguments->no_report, "Leave out charts, pictures and the page");
   command->add_flag("--fresh", arguments->fresh, "Start over instead of continuing");
   command->footer(
       "Examples:\n  inkbench tune list\n  inkbench tune studies/tuning/rabbit_k.toml --out out/rabbit_k\n"

@@ -141,6 +141,17 @@ def causes(window):
     window.save("causes")
 
 
+def fit(window):
+    """The paper's coefficients fitted: how good their values are, behind their bars."""
+    window.click("tab:Judge")
+    window.click("fit")
+    window.wait("the fit", lambda state: state["fit"]["result"])
+    window.click("fit:take over")
+    window.input("mousemove", 640, 790)
+    window.wait("the measures", lambda state: not state["judge"]["behind"])
+    window.save("fit")
+
+
 def marks(window):
     """What is wanted and what is not, painted over the picture."""
     window.key("7", "m")
@@ -189,7 +200,7 @@ def study(window):
     window.save("study")
 
 
-SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "marks": marks, "ramps": ramps, "polygons": polygons,
+SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "fit": fit, "marks": marks, "ramps": ramps, "polygons": polygons,
          "study": study}
 
 

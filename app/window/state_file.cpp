@@ -180,6 +180,33 @@ Json studies_of(const Studies& studies) {
   return json;
 }
 
+Json fit_result_of(const FitDesk& fit) {
+  const FitResult* found = fit.result();
+  if (found == nullptr) return nullptr;
+  Json json{{"before", found->before ? Json(*found->before) : Json()},
+            {"after", found->after ? Json(*found->after) : Json()},
+            {"stopped", found->stopped},
+            {"is_set", fit.is_set()}};
+  for (const FittedParameter& fitted : found->parameters) {
+    json["values"][fitted.key] = fitted.value;
+    if (const ValueHeat* heat = fit.heat(fitted.key)) json["heat"][fitted.key] = heat->points.size();
+  }
+  return json;
+}
+
+Json fit_of(const FitDesk& fit, const Settings& settings) {
+  constexpr std::array kNames{"running", "stopping", "finished", "stopped", "failed"};
+  Json json{{"ticked", fit.ticked(settings)}, {"result", fit_result_of(fit)}};
+  if (fit.run() == nullptr) return json;
+  json["state"] = kNames.at(static_cast<size_t>(fit.run()->state()));
+  json["done"] = fit.run()->progress().done;
+  json["best"] = fit.run()->progress().best.value_or(0);
+  json["points"] = fit.run()->trace().size();
+  json["cameras"] = fit.request().cameras.size();
+  json["problem"] = fit.run()->problem();
+  return json;
+}
+
 }  // namespace
 
 std::string state_text(const Workbench& bench) {
@@ -203,6 +230,7 @@ std::string state_text(const Workbench& bench) {
             {"causes", causes_of(bench.viewer.judge.causes)},
             {"why", why_of(bench)},
             {"studies", studies_of(bench.studies)},
+            {"fit", fit_of(bench.fit, bench.document.settings())},
             {"tooltip", shows_tooltip()},
             {"log", log_of(bench.log)},
             {"errors", errors_of(bench.log)}};

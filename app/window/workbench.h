@@ -3,6 +3,7 @@
 // do not know each other.
 #pragma once
 
+#include "app/window/fit_desk.h"
 #include "app/window/keeping.h"
 #include "app/window/studies.h"
 #include "app/window/ui_map.h"
@@ -33,6 +34,7 @@ struct Workbench {
   Problems problems{log};
   Document document;
   Studies studies;
+  FitDesk fit;
   News news;  ///< Of all that works beside the window.
   Viewer viewer;
   FileOpener files;

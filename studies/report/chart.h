@@ -38,7 +38,7 @@ struct ChartFilter {
 struct Chart {
   std::string name;  ///< Stem of its files: letters a to z, digits, '_' and '-'.
   std::string title;
-  std::string study;               ///< The study's title.
+  std::string study;  ///< The study's title.
   ChartKind kind = ChartKind::lines;
   ChartColumn x;
   std::vector<ChartColumn> y;        ///< At least one; of a heat map exactly one: its rows.
@@ -46,9 +46,10 @@ struct Chart {
   std::optional<ChartColumn> by;     ///< A curve for each of its values.
   std::optional<ChartColumn> panel;  ///< A small chart for each of its values.
   std::optional<ChartColumn>
-      best_of;                 ///< Of the rows that share x, by and panel, only the best in it counts.
-  bool best_of_least = false;  ///< The best in `best_of` is the least.
-  bool mark_least = false;     ///< The cell that a heat map marks is the least.
+      best_of;                        ///< Of the rows that share x, by and panel, only the best in it counts.
+  bool best_of_least = false;         ///< The best in `best_of` is the least.
+  bool mark_least = false;            ///< The cell that a heat map marks is the least.
+  std::optional<double> mark_within;  ///< It also marks the cells that are within so much of the best.
   std::vector<ChartFilter> where;
   std::string x_label, y_label, value_label;
   Scale scale_x = Scale::linear, scale_y = Scale::linear;  ///< Of a chart of lines.

@@ -108,6 +108,8 @@ class HeatScript {
     if (has_best())
       note = fmt::format("Outlined: the {} {}{}.", chart_.mark_least ? "least" : "greatest",
                          chart_.value->label, data_.panels.size() > 1 ? " of each panel" : "");
+    if (has_best() && chart_.mark_within)
+      note += fmt::format(" Orange: within {} of it.", shortest(*chart_.mark_within));
     if (data_.has_gaps) note += note.empty() ? "\u00d7: no value." : "  \u00d7: no value.";
     if (!note.empty()) notes.push_back(note);
     return notes;
@@ -253,6 +255,7 @@ class HeatScript {
           cells, value_size_px_));
     }
     if (!has_best()) return layers;
+    if (chart_.mark_within) layers.push_back(plateau(cells, panel, is_tiny));
     const std::string best = fmt::format("{} using ($3 == cells_{}_{} ? $1 : NaN):2:", cells, panel + 1,
                                          chart_.mark_least ? "min" : "max");
     for (const auto& [colour, inset_px] :
@@ -261,6 +264,15 @@ class HeatScript {
                                    box(inset_px), colour, kOutlinePx));
     }
     return layers;
+  }
+
+  std::string plateau(const std::string& cells, size_t panel, bool is_tiny) const {
+    const std::string beyond = chart_.mark_least
+                                   ? fmt::format("$3 <= cells_{}_min + {}", panel + 1, *chart_.mark_within)
+                                   : fmt::format("$3 >= cells_{}_max - {}", panel + 1, *chart_.mark_within);
+    return fmt::format(
+        "{} using ({} ? $1 : NaN):2:{} with boxxyerror lc rgb '#ff8c1a' lw {} fs empty border notitle", cells,
+        beyond, box(is_tiny ? 0.0 : 1.5), kOutlinePx);
   }
 
   void write_panel(size_t panel) {

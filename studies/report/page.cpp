@@ -96,13 +96,17 @@ std::string row_html(const std::vector<std::string>& fields, const std::string& 
   return "<tr>" + cells + "</tr>";
 }
 
-std::string table_html(const PageTable& table) {
+std::string rows_html(const PageTable& table) {
   std::string rows;
   for (const std::vector<std::string>& row : table.rows) rows += row_html(row, "td");
+  return "<div class=\"findings-box\"><table><thead>" + row_html(table.columns, "th") + "</thead><tbody>" +
+         rows + "</tbody></table></div>";
+}
+
+std::string table_html(const PageTable& table) {
   return "<section class=\"findings\"><div class=\"section-head\"><h2>" + html_text(table.title) +
          "</h2></div>" + (table.note.empty() ? "" : "<p class=\"note\">" + html_text(table.note) + "</p>") +
-         "<div class=\"findings-box\"><table><thead>" + row_html(table.columns, "th") + "</thead><tbody>" +
-         rows + "</tbody></table></div></section>\n";
+         (table.columns.empty() ? "" : rows_html(table)) + "</section>\n";
 }
 
 std::string tables_html(const StudyPage& page) {

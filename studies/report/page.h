@@ -57,8 +57,8 @@ struct PageCause {
 /// A small table of its own, beside that of the cells.
 struct PageTable {
   std::string title;
-  std::string note;  ///< What it says, in a sentence or two; may be empty.
-  std::vector<std::string> columns;
+  std::string note;                            ///< What it says, in a sentence or two; may be empty.
+  std::vector<std::string> columns;            ///< Without any there is the note alone.
   std::vector<std::vector<std::string>> rows;  ///< A field for each column.
 };
 

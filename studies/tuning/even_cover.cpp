@@ -7,6 +7,8 @@
 namespace inkbench {
 namespace {
 
+constexpr int kLeastGridSide = 5;  // a coarser one would see little but the ends
+
 /// In how many values a grid has each side; empty where it is no grid.
 std::vector<int> grid_counts(const SearchSpace& space, int most) {
   const auto numbers = std::count_if(space.begin(), space.end(), [](const auto& a) { return a.is_number(); });
@@ -17,7 +19,7 @@ std::vector<int> grid_counts(const SearchSpace& space, int most) {
   const double room = most / combinations;
   const int side =
       numbers == 0 ? 1 : static_cast<int>(std::pow(room, 1.0 / static_cast<double>(numbers)) + 1e-9);
-  if (numbers > 0 && side < 2) return {};
+  if (numbers > 0 && side < kLeastGridSide) return {};
   std::vector<int> counts;
   for (const SearchAxis& axis : space) {
     const double whole = axis.to - axis.from + 1;
@@ -56,22 +58,31 @@ std::vector<Point> grid(const SearchSpace& space, const std::vector<int>& counts
   return points;
 }
 
-/// The positive root of x^(d + 1) = x + 1.
-double golden_ratio(size_t dimensions) {
-  double x = 2;
-  for (int i = 0; i < 60; ++i) x = std::pow(1 + x, 1.0 / static_cast<double>(dimensions + 1));
-  return x;
+std::vector<int> first_primes(size_t count) {
+  std::vector<int> primes;
+  for (int n = 2; primes.size() < count; ++n) {
+    if (std::none_of(primes.begin(), primes.end(), [n](int prime) { return n % prime == 0; }))
+      primes.push_back(n);
+  }
+  return primes;
 }
 
-std::vector<Point> recurrence(size_t dimensions, int count, uint64_t seed) {
-  const double ratio = golden_ratio(dimensions);
+/// The digits of `n` in that base, turned over behind the point.
+double radical_inverse(int n, int base) {
+  double result = 0, place = 1.0 / base;
+  for (; n > 0; n /= base, place /= base) result += place * (n % base);
+  return result;
+}
+
+/// Turned by a share of each side that follows from the seed.
+std::vector<Point> halton(size_t dimensions, int count, uint64_t seed) {
+  const std::vector<int> bases = first_primes(dimensions);
   std::vector<Point> points;
   for (int n = 0; n < count; ++n) {
     Point point(dimensions);
-    double step = 1;
     for (size_t i = 0; i < dimensions; ++i) {
-      step /= ratio;
-      const double at = 0.5 + step * static_cast<double>(seed % 65536 + static_cast<uint64_t>(n));
+      const double turn = static_cast<double>(seed % 65536) * std::sqrt(static_cast<double>(bases[i]));
+      const double at = radical_inverse(n + 1, bases[i]) + turn;
       point[i] = at - std::floor(at);
     }
     points.push_back(std::move(point));
@@ -83,7 +94,7 @@ std::vector<Point> recurrence(size_t dimensions, int count, uint64_t seed) {
 
 std::vector<Point> even_cover(const SearchSpace& space, int most, uint64_t seed) {
   const std::vector<int> counts = grid_counts(space, most);
-  return counts.empty() ? recurrence(space.size(), std::max(most, 1), seed) : grid(space, counts);
+  return counts.empty() ? halton(space.size(), std::max(most, 1), seed) : grid(space, counts);
 }
 
 }  // namespace inkbench

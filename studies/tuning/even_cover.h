@@ -10,9 +10,8 @@
 namespace inkbench {
 
 /// With at most two numbers among the sides a grid, its ends on the box's, for every combination of choices,
-/// as fine as `most` allows; otherwise, or where not even two points a side fit, the additive recurrence by
-/// the generalised golden ratio (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"),
-/// begun at a place that follows from the seed. At least one point.
+/// as fine as `most` allows; otherwise, or where that is fewer than five points a side, Halton's sequence
+/// (Halton 1960), turned by what follows from the seed. At least one point.
 std::vector<Point> even_cover(const SearchSpace& space, int most, uint64_t seed);
 
 }  // namespace inkbench

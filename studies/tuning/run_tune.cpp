@@ -110,7 +110,7 @@ class TuneRun {
       const FolderLock lock(options_.folder);
       search(outcome);
     }
-    if (!outcome.result.stopped) report(outcome);
+    if (options_.report && !outcome.result.stopped) report(outcome);
     return outcome;
   }
 
@@ -123,6 +123,7 @@ class TuneRun {
     if (options_.fresh) fs::remove(file("trials.txt"), error);
     pipeline_.check_room(spec_.base.image);
     TrialMeter meter(pipeline_, spec_, file("trials.txt"));
+    paper_ = paper_scores(meter);  // first: once stopped nothing is drawn
     const MeasureCandidates measure = [&](const std::vector<Values>& candidates,
                                           const std::vector<bool>& wanted) {
       return meter.measure(candidates, wanted);
@@ -134,7 +135,6 @@ class TuneRun {
       throw input_error("tune", "no candidate could be drawn: " + meter.problems().front());
     }
     outcome.problems = meter.problems();
-    paper_ = paper_scores(meter);
     if (spec_.has_marks()) {
       marks_ = look_at_marks(pipeline_, spec_, outcome.result);
       outcome.marks = mark_sentences(*marks_);

@@ -17,6 +17,7 @@ namespace inkbench {
 struct TuneOptions {
   std::filesystem::path folder;
   bool fresh = false;  ///< Forget what an earlier run measured.
+  bool report = true;  ///< Charts, pictures and the page; else data alone.
   TuneProgress on_progress;
   std::string command;  ///< That was given.
 };
@@ -27,7 +28,7 @@ struct TuneOutcome {
   std::string verdict;
   std::vector<std::string>
       marks;  ///< What of the marks could not be satisfied, a sentence each; empty without marks.
-  std::filesystem::path preset, page;  ///< `page` is empty where the search was stopped.
+  std::filesystem::path preset, page;  ///< `page` is empty without a report.
   std::vector<std::string> problems;   ///< Why candidates, charts or pictures could not be made.
 };
 

@@ -40,13 +40,15 @@ DrawingTally sum_of(const GroupTallies& groups) {
 
 }  // namespace
 
+// The objective stands last: gnuplot takes a row whose last field is empty for a shorter one.
+
 std::string trace_csv(const TuneSpec& spec, const TuneResult& result) {
   const std::vector<const Measure*> measures = spec.objective.measures();
   std::vector<std::string> head{"trial", "stage"};
   for (const SearchAxis& axis : spec.space) head.push_back(axis.key);
-  head.insert(head.end(), {"objective", "limits_kept"});
+  head.insert(head.end(), {"error", "objective", "limits_kept"});
   for (const Measure* measure : measures) head.push_back(measure->key);
-  head.insert(head.end(), {"best", "error"});
+  head.emplace_back("best");
   std::string text = csv_line(head);
   Score best = kNoScore;
   for (size_t i = 0; i < result.trials.size(); ++i) {
@@ -54,13 +56,13 @@ std::string trace_csv(const TuneSpec& spec, const TuneResult& result) {
     if (trial.is_whole && is_better(trial.score, best)) best = trial.score;
     std::vector<std::string> row{std::to_string(i + 1), trial.stage};
     add_values(row, trial.values);
+    row.push_back(problem_text(trial.score));
     row.push_back(objective_text(trial.score));
     row.emplace_back(trial.score.keeps_limits() ? "true" : "false");
     const DrawingTally sum = sum_of(trial.groups);
     for (const Measure* measure : measures)
       row.push_back(trial.score == kNoScore ? "" : measure_text(*measure, sum));
     row.push_back(best.keeps_limits() ? objective_text(best) : "");
-    row.push_back(problem_text(trial.score));
     text += csv_line(row);
   }
   return text;
@@ -69,27 +71,27 @@ std::string trace_csv(const TuneSpec& spec, const TuneResult& result) {
 std::string box_csv(const TuneSpec& spec, const TuneResult& result) {
   std::vector<std::string> head;
   for (const SearchAxis& axis : spec.space) head.push_back(axis.key);
-  head.insert(head.end(), {"objective", "error"});
+  head.insert(head.end(), {"error", "objective"});
   std::string text = csv_line(head);
   for (const size_t i : result.cover) {
     const Trial& trial = result.trials[i];
     std::vector<std::string> row;
     add_values(row, trial.values);
-    row.push_back(objective_text(trial.score));
     row.push_back(problem_text(trial.score));
+    row.push_back(objective_text(trial.score));
     text += csv_line(row);
   }
   return text;
 }
 
 std::string profiles_csv(const TuneSpec&, const TuneResult& result) {
-  std::string text = csv_line(std::vector<std::string>{"parameter", "from", "value", "objective", "error"});
+  std::string text = csv_line(std::vector<std::string>{"parameter", "from", "value", "error", "objective"});
   for (const AxisWorth& axis : result.axes) {
     for (const auto& [from, profile] : {std::pair("default", &axis.alone), {"tuned", &axis.around}}) {
       for (size_t k = 0; k < profile->values.size(); ++k) {
         const Score& score = profile->scores[k];
         text += csv_line(std::vector<std::string>{axis.key, from, field_text(profile->values[k]),
-                                                  objective_text(score), problem_text(score)});
+                                                  problem_text(score), objective_text(score)});
       }
     }
   }

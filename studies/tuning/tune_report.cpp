@@ -29,8 +29,8 @@ std::string number_text(double number) {
 
 PageTable score_table(const TuneSpec& spec, const TuneResult& result, const PaperScores& paper) {
   PageTable table{"Scores",
-                  "The objective is " + spec.objective.text() + ", its counts pooled over all " +
-                      std::to_string(spec.pictures.size()) + " pictures.",
+                  "The objective is " + spec.objective.text() + ", its counts pooled over " +
+                      counted(spec.pictures.size(), "picture", "pictures") + ".",
                   {"values", "objective"},
                   {}};
   for (const SearchAxis& axis : spec.space) table.columns.push_back(axis.key);
@@ -143,6 +143,9 @@ std::optional<Chart> box_chart(const TuneSpec& spec) {
   chart.y = {number_column(spec.space[1].key, spec.space[1].key, spec.space[1].scale)};
   chart.value = number_column("objective", "objective");
   chart.value->is_measured = true;
+  chart.mark_within = kPlateau;
+  chart.x_label = spec.space[0].key;
+  chart.y_label = spec.space[1].key;
   return chart;
 }
 
@@ -154,6 +157,8 @@ Chart profile_chart(const TuneSpec& spec, const SearchAxis& axis, size_t number)
   chart.by = text_column("from");
   chart.where = {{text_column("parameter"), {axis.key}}};
   chart.scale_x = axis.scale;
+  chart.x_label = axis.key;
+  chart.y_label = "objective";
   return chart;
 }
 
@@ -161,6 +166,8 @@ Chart trace_chart(const TuneSpec& spec) {
   Chart chart = chart_of(spec, "trace", "The best so far", "trace.csv");
   chart.x = number_column("trial", "candidate");
   chart.y = {number_column("best", "objective")};
+  chart.x_label = "candidates";
+  chart.y_label = "objective";
   return chart;
 }
 
@@ -169,8 +176,11 @@ Chart trace_chart(const TuneSpec& spec) {
 std::string verdict_of(const TuneSpec& spec, const TuneResult& result, const PaperScores& paper) {
   const std::string name = objective_name(spec);
   const std::string tuned = score_text(result.tuned().score), initial = score_text(result.initial().score);
-  const std::string than =
-      fmt::format("{} with the default, {} with the paper's method", initial, score_text(paper.all));
+  const bool is_papers = papers_settings(spec.base).edges.method == spec.base.edges.method &&
+                         paper.all == result.initial().score;
+  const std::string than = is_papers ? initial + " with the paper's coefficients, which are the default"
+                                     : fmt::format("{} with the default, {} with the paper's method", initial,
+                                                   score_text(paper.all));
   const std::string stopped = result.stopped ? " The search was stopped early: this is the best so far." : "";
   const std::optional<bool> gain = result.is_gain();
   if (!gain)

@@ -9,6 +9,7 @@
 #include "pipeline/base/text.h"
 #include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
+#include "pipeline/settings/settings_file.h"
 #include "studies/sweep/spec_base.h"
 #include "studies/sweep/spec_sets.h"
 
@@ -24,13 +25,18 @@ class TuneSpecReader {
   }
 
   TuneSpec read(const std::vector<std::string>& assignments) {
-    toml_.check_keys(document_, {"title", "purpose", "scene", "size", "set", "view", "group", "leave_out",
-                                 "marks", "search", "objective", "budget", "seed"});
+    toml_.check_keys(document_, {"title", "purpose", "like", "scene", "size", "set", "view", "group",
+                                 "leave_out", "marks", "search", "objective", "budget", "seed"});
     spec_.title = toml_.text_entry(document_, "title", path_.stem().string());
     spec_.purpose = toml_.text_entry(document_, "purpose", "");
-    spec_.base = read_base(document_, path_, assignments);
+    if (const TomlNode* like = document_.find("like")) {
+      take_pictures(*like);
+    } else {
+      spec_.base = read_base(document_, path_, {});
+      read_pictures();
+    }
+    for (const std::string& assignment : assignments) apply_assignment(spec_.base, assignment);
     spec_.assignments = assignments;
-    read_pictures();
     read_marks_tables();
     read_search();
     read_objective();
@@ -47,6 +53,29 @@ class TuneSpecReader {
     if (number >= least && number <= most && number == std::floor(number)) return number;
     throw input_error(toml_.at(*node), key + " = " + shortest(number),
                       "it must be a whole number from " + shortest(least) + " to " + shortest(most));
+  }
+
+  /// Those of another search, with [set] on top.
+  void take_pictures(const TomlNode& like) {
+    for (const char* key : {"scene", "size", "view", "group", "leave_out"}) {
+      if (const TomlNode* node = document_.find(key))
+        throw input_error(toml_.at(*node), std::string(key) + " beside like",
+                          "the pictures are those of the other search: leave one of them out");
+    }
+    const fs::path path = path_.parent_path() / toml_.text_of(like, "like");
+    if (fs::weakly_canonical(path) == fs::weakly_canonical(path_))
+      throw input_error(toml_.at(like), "like names this file itself", "name another search");
+    const std::string text = read_file(path, kMostTextBytes);
+    if (parse_toml(text, path.string()).find("like") != nullptr)
+      throw input_error(toml_.at(like), path.string() + " takes its pictures from another search, too",
+                        "name that one");
+    TuneSpec other = parse_tune_spec(text, path);
+    spec_.base = std::move(other.base);
+    spec_.pictures = std::move(other.pictures);
+    spec_.groups = std::move(other.groups);
+    spec_.group_kind = std::move(other.group_kind);
+    if (const TomlNode* set = document_.find("set"))
+      apply_table(spec_.base, *set, path_.string(), path_.parent_path());
   }
 
   /// Every group from every view.

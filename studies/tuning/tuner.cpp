@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/stop.h"
@@ -63,9 +64,10 @@ class Tuner {
     result_.start = look("start", problem_.start, all_);
     result_.best = result_.start;
     for (const Values& other : problem_.others) result_.others.push_back(look("paper", other, all_));
+    look_at_choices();
     shares_ = share_out(problem_, static_cast<int>(result_.trials.size()));
     const std::vector<size_t> cover = look_everywhere();
-    climb_from_best("climb", all_, shares_.climb, seeds(cover));
+    climb_with_what_is_left(cover);
     find_worth();
     leave_out(cover);
     find_plateau(cover);
@@ -125,6 +127,32 @@ class Tuner {
     return score_of(problem_.objective, sum);
   }
 
+  /// The default with every other choice, one at a time: another method with numbers that were made for it.
+  void look_at_choices() {
+    std::vector<Values> candidates;
+    for (size_t i = 0; i < problem_.space.size(); ++i) {
+      for (const Value& choice : problem_.space[i].choices) {
+        candidates.push_back(problem_.start);
+        candidates.back()[i] = choice;
+      }
+    }
+    candidates.resize(std::min(candidates.size(), static_cast<size_t>(problem_.budget) / 3));
+    const std::vector<size_t> trials = look_at("choice", candidates, all_);
+    result_.others.insert(result_.others.end(), trials.begin(), trials.end());
+  }
+
+  /// Again from the best few there are by then, until the share is spent or leads nowhere new.
+  void climb_with_what_is_left(const std::vector<size_t>& cover) {
+    const size_t before = result_.trials.size();
+    std::vector<size_t> from = seeds(cover);
+    while (true) {
+      const size_t last = result_.trials.size();
+      climb_from_best("climb", all_, shares_.climb - static_cast<int>(last - before), from);
+      if (result_.trials.size() == last) return;
+      for (size_t i = last; i < result_.trials.size(); ++i) from.push_back(i);
+    }
+  }
+
   std::vector<size_t> look_everywhere() {
     std::vector<Values> candidates;
     for (const Point& point : even_cover(problem_.space, std::max(shares_.cover, 1), problem_.seed))
@@ -140,19 +168,33 @@ class Tuner {
     return cover;
   }
 
-  /// The best few of these, by these groups, no two of them close together.
+  /// The choices among the values, as one text.
+  std::string choices_of(const Values& values) const {
+    std::string text;
+    for (size_t i = 0; i < problem_.space.size(); ++i) {
+      if (!problem_.space[i].is_number()) text += to_text(values[i]) + " ";
+    }
+    return text;
+  }
+
+  /// The best few of these, by these groups: the best of different choices first, no two close together.
   std::vector<size_t> best_few(const std::vector<size_t>& trials, const std::vector<bool>& wanted) const {
     std::vector<size_t> order = trials;
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
       return is_better(score(result_.trials[a].groups, wanted), score(result_.trials[b].groups, wanted));
     });
     std::vector<size_t> few;
+    std::set<std::string> seen;
     for (const size_t trial : order) {
+      if (few.size() < kStarts && seen.insert(choices_of(result_.trials[trial].values)).second)
+        few.push_back(trial);
+    }
+    for (const size_t trial : order) {
+      if (few.size() == kStarts) break;
       const bool is_near = std::any_of(few.begin(), few.end(), [&](size_t other) {
         return distance(result_.trials[trial].values, result_.trials[other].values) < 2 * spacing();
       });
       if (!is_near) few.push_back(trial);
-      if (few.size() == kStarts) break;
     }
     return few;
   }
@@ -292,7 +334,7 @@ class Tuner {
     }
     const auto number = [&](double share) {
       const Value there = share == middle ? value : value_at(axis, share);
-      return std::holds_alternative<int>(there) ? std::get<int>(there) : double{std::get<float>(there)};
+      return std::stod(to_text(there));  // as it was rounded, not as a float holds it
     };
     return std::pair(number(low), number(high));
   }

@@ -37,7 +37,8 @@ struct TuneProblem {
 
 /// One candidate that was looked at.
 struct Trial {
-  std::string stage;  ///< "start", "paper", "cover", "climb", "without GROUP", "alone KEY", "around KEY".
+  std::string
+      stage;  ///< "start", "paper", "choice", "cover", "climb", "without GROUP", "alone KEY", "around KEY".
   Values values;
   GroupTallies groups;
   Score score;           ///< Over the groups that it was measured on.
@@ -79,9 +80,10 @@ inline constexpr double kPlateau = 0.01;
 struct TuneResult {
   std::vector<Trial> trials;   ///< In order.
   size_t start = 0, best = 0;  ///< Of them.
-  std::vector<size_t> others;  ///< Trials of `TuneProblem::others`.
-  std::vector<size_t> cover;   ///< Trials of the even cover.
-  double plateau = 0;          ///< Share of the cover's points within `kPlateau` of the best.
+  std::vector<size_t>
+      others;                 ///< Trials of `TuneProblem::others`, and of the start with another choice each.
+  std::vector<size_t> cover;  ///< Trials of the even cover.
+  double plateau = 0;         ///< Share of the cover's points within `kPlateau` of the best.
   std::vector<AxisWorth> axes;
   std::vector<LeftOut> left_out;        ///< Empty with one group.
   std::optional<Score> left_out_tuned;  ///< Pooled over the groups, each with the values found without it.

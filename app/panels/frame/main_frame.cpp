@@ -92,13 +92,15 @@ void draw_help_menu(WindowLayout& layout, Problems& problems, UiMap& ui_map) {
 
 MainFrame::MainFrame(Workbench& bench)
     : bench_(bench),
-      parameters_(bench.document, bench.layout, bench.view, bench.studies, bench.problems, bench.ui_map),
+      parameters_(bench.document, bench.layout, bench.view, bench.studies, bench.fit, bench.problems,
+                  bench.ui_map),
       presets_(bench.document, bench.files, bench.keeping, bench.problems, bench.ui_map),
       history_(bench.document, bench.ui_map),
       views_(bench.document, bench.viewer.pictures, bench.keeping, bench.problems, bench.ui_map),
       left_(bench.layout, bench.ui_map, parameters_, presets_, history_, views_),
       inspector_(bench.document, bench.viewer, bench.layout, bench.view, bench.ui_map),
-      judge_(bench.document, bench.viewer, bench.layout, bench.requests, bench.ui_map),
+      fit_(bench.document, bench.fit, bench.keeping, bench.problems, bench.ui_map),
+      judge_(bench.document, bench.viewer, fit_, bench.layout, bench.requests, bench.ui_map),
       side_panel_(bench.layout, bench.ui_map, inspector_, judge_),
       sheet_(bench.document, bench.viewer, bench.layout, bench.view, bench.problems, bench.wanted_dialog,
              bench.ui_map),
@@ -230,6 +232,7 @@ void MainFrame::draw() {
   draw_menu_bar();
   const Places places = arrange();
   panel("left", places.left, theme().panel, [&] { left_.draw(); });
+  follow_fit(bench_.fit, bench_.document, bench_.problems, bench_.requests);
   follow_studies(bench_.studies, bench_.problems, bench_.requests);
   if (bench_.studies.page_open) panel("studies", places.middle, theme().panel, [&] { studies_.draw(); });
   panel(

@@ -13,6 +13,7 @@
 #include "app/panels/frame/shortcuts.h"
 #include "app/panels/frame/side_panel.h"
 #include "app/panels/frame/view_menu.h"
+#include "app/panels/judge/fit_panel.h"
 #include "app/panels/judge/judge_view.h"
 #include "app/panels/parameters/parameters.h"
 #include "app/panels/parameters/ramp_editor.h"
@@ -49,6 +50,7 @@ class MainFrame {
   ViewsPanel views_;
   LeftPanel left_;
   InspectorPanel inspector_;
+  FitPanel fit_;
   JudgeView judge_;
   SidePanel side_panel_;
   ContactSheet sheet_;

@@ -206,6 +206,7 @@ void JudgeView::draw_state() {
 
 void JudgeView::draw() {
   overlay_choice(layout_, ui_map_);
+  fit_.draw();
   draw_state();
   const Judgement* now = viewer_.judge.now();
   const Judgement* then = viewer_.judge.pinned();

@@ -3,6 +3,7 @@
 // they differ from the pinned state's.
 #pragma once
 
+#include "app/panels/judge/fit_panel.h"
 #include "app/window/ui_map.h"
 #include "app/window/viewer.h"
 #include "app/window/window_requests.h"
@@ -14,9 +15,14 @@ namespace inkbench {
 class JudgeView {
  public:
   /// All must outlive it.
-  JudgeView(const Document& document, Viewer& viewer, WindowLayout& layout, WindowRequests& requests,
-            UiMap& ui_map)
-      : document_(document), viewer_(viewer), layout_(layout), requests_(requests), ui_map_(ui_map) {}
+  JudgeView(const Document& document, Viewer& viewer, FitPanel& fit, WindowLayout& layout,
+            WindowRequests& requests, UiMap& ui_map)
+      : document_(document),
+        viewer_(viewer),
+        fit_(fit),
+        layout_(layout),
+        requests_(requests),
+        ui_map_(ui_map) {}
 
   /// Draws into the current ImGui window.
   void draw();
@@ -26,6 +32,7 @@ class JudgeView {
 
   const Document& document_;
   Viewer& viewer_;
+  FitPanel& fit_;
   WindowLayout& layout_;
   WindowRequests& requests_;
   UiMap& ui_map_;

@@ -29,11 +29,11 @@ void apply_bar(Document& document, const std::string& key, const BarResult& bar,
   if (!bar.typed.empty()) document.change_text(key, bar.typed);
 }
 
-void number_editor(Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
-                   const RowContext& row, float width) {
+void number_editor(Document& document, Studies& studies, const FitDesk& fit, Problems& problems,
+                   UiMap& ui_map, const RowContext& row, float width) {
   const bool whole = row.field->type == FieldType::integer;
   const double value = whole ? std::get<int>(row.value) : std::get<float>(row.value);
-  const BarResult bar = value_bar("value", value, *row.field, width);
+  const BarResult bar = value_bar("value", value, *row.field, width, fit.heat(row.key));
   ui_map.mark_item("bar:" + row.key);
   sweep_key(document, studies, problems, row.key);
   help_for_parameter(row);
@@ -131,14 +131,14 @@ void ramp_strip(ViewState& view, UiMap& ui_map, const RowContext& row, float wid
   help_for_parameter(row);
 }
 
-void editor(Document& document, ViewState& view, Studies& studies, Problems& problems, UiMap& ui_map,
-            const RowContext& row, float width) {
+void editor(Document& document, ViewState& view, Studies& studies, const FitDesk& fit, Problems& problems,
+            UiMap& ui_map, const RowContext& row, float width) {
   switch (row.field->type) {
     case FieldType::boolean:
       return boolean_editor(document, ui_map, row);
     case FieldType::integer:
     case FieldType::real:
-      return number_editor(document, studies, problems, ui_map, row, width);
+      return number_editor(document, studies, fit, problems, ui_map, row, width);
     case FieldType::vector:
       return vector_editor(document, studies, problems, ui_map, row, width);
     case FieldType::colour:
@@ -166,7 +166,14 @@ void changed_mark(Document& document, UiMap& ui_map, const RowContext& row) {
   help_for_item("Changed. Click to put back " + to_text(row.baseline));
 }
 
-void name_menu(Document& document, Studies& studies, Problems& problems, UiMap& ui_map,
+void fit_menu_item(const Document& document, FitDesk& fit, UiMap& ui_map, const std::string& key) {
+  if (!can_fit(document.settings(), key)) return;
+  const bool on = fit.is_ticked(document.settings(), key);
+  if (ImGui::MenuItem("Let a fit move it", nullptr, on)) fit.tick(key, !on);
+  ui_map.mark_item("let fit:" + key);
+}
+
+void name_menu(Document& document, Studies& studies, FitDesk& fit, Problems& problems, UiMap& ui_map,
                const RowContext& row) {
   if (!ImGui::BeginPopupContextItem("name menu")) return;
   faint_text(row.key);
@@ -177,13 +184,14 @@ void name_menu(Document& document, Studies& studies, Problems& problems, UiMap& 
   if (ImGui::MenuItem("Copy as --set"))
     ImGui::SetClipboardText(("--set " + shell_word(assignment_text(*row.field, row.key, row.value))).c_str());
   sweep_menu_items(document, studies, problems, ui_map, row.key);
+  fit_menu_item(document, fit, ui_map, row.key);
   ImGui::EndPopup();
 }
 
 }  // namespace
 
-void parameter_row(Document& document, ViewState& view, Studies& studies, Problems& problems, UiMap& ui_map,
-                   const RowContext& row) {
+void parameter_row(Document& document, ViewState& view, Studies& studies, FitDesk& fit, Problems& problems,
+                   UiMap& ui_map, const RowContext& row) {
   ImGui::PushID(row.key.c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, row.matters ? 1.0F : 0.4F);
   changed_mark(document, ui_map, row);
@@ -195,9 +203,9 @@ void parameter_row(Document& document, ViewState& view, Studies& studies, Proble
   draw_fitted_text(*ImGui::GetWindowDrawList(), {place.x, place.y + ImGui::GetStyle().FramePadding.y},
                    row.name_width - scaled(4), ImGui::GetColorU32(theme().text), row.field->name);
   sweep_key(document, studies, problems, row.key);
-  name_menu(document, studies, problems, ui_map, row);
+  name_menu(document, studies, fit, problems, ui_map, row);
   ImGui::SameLine(0, 0);
-  editor(document, view, studies, problems, ui_map, row,
+  editor(document, view, studies, fit, problems, ui_map, row,
          std::max(ImGui::GetContentRegionAvail().x, scaled(40)));
   ImGui::PopStyleVar();
   ImGui::PopID();

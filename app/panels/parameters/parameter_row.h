@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "app/window/fit_desk.h"
 #include "app/window/studies.h"
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
@@ -22,7 +23,7 @@ struct RowContext {
   float name_width = 0;  ///< Of the column of names.
 };
 
-void parameter_row(Document& document, ViewState& view, Studies& studies, Problems& problems, UiMap& ui_map,
-                   const RowContext& row);
+void parameter_row(Document& document, ViewState& view, Studies& studies, FitDesk& fit, Problems& problems,
+                   UiMap& ui_map, const RowContext& row);
 
 }  // namespace inkbench

@@ -127,7 +127,7 @@ bool ParametersPanel::draw_group(const Settings& settings, const ParamGroup& gro
     const float name_width = std::round(ImGui::GetContentRegionAvail().x * 0.40F);
     for (RowContext& row : rows) {
       row.name_width = name_width;
-      parameter_row(document_, view_, studies_, problems_, ui_map_, row);
+      parameter_row(document_, view_, studies_, fit_, problems_, ui_map_, row);
     }
     ImGui::Dummy({0, scaled(2)});
   }

@@ -2,6 +2,7 @@
 // The panel of parameters: every one that the descriptions list, by group, with a search box over all.
 #pragma once
 
+#include "app/window/fit_desk.h"
 #include "app/window/studies.h"
 #include "app/window/ui_map.h"
 #include "app/window/view_state.h"
@@ -14,12 +15,13 @@ namespace inkbench {
 class ParametersPanel {
  public:
   /// All must outlive it.
-  ParametersPanel(Document& document, WindowLayout& layout, ViewState& view, Studies& studies,
+  ParametersPanel(Document& document, WindowLayout& layout, ViewState& view, Studies& studies, FitDesk& fit,
                   Problems& problems, UiMap& ui_map)
       : document_(document),
         layout_(layout),
         view_(view),
         studies_(studies),
+        fit_(fit),
         problems_(problems),
         ui_map_(ui_map) {}
 
@@ -40,6 +42,7 @@ class ParametersPanel {
   WindowLayout& layout_;
   ViewState& view_;
   Studies& studies_;
+  FitDesk& fit_;
   Problems& problems_;
   UiMap& ui_map_;
   std::string search_;

@@ -79,7 +79,28 @@ double dragged_share(const Field& field, double value, ImVec2 low, float width) 
   return (x + grip - low.x) / width;
 }
 
-void draw_bar(ImVec2 low, ImVec2 high, const Field& field, double value, bool hot) {
+/// Between the values that were looked at it changes evenly; what is equally good is underlined.
+void draw_heat(ImVec2 low, ImVec2 high, const Field& field, const ValueHeat& heat) {
+  constexpr float kMostHeat = 0.5F;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto x_of = [&](double value) {
+    return low.x + static_cast<float>(share_of(field, value)) * (high.x - low.x);
+  };
+  const auto glow = [](const ValueHeat::Point& point) {
+    return ImGui::GetColorU32(with_alpha(theme().good, kMostHeat * static_cast<float>(point.warmth)));
+  };
+  for (size_t i = 1; i < heat.points.size(); ++i) {
+    const ImU32 left = glow(heat.points[i - 1]), right = glow(heat.points[i]);
+    list.AddRectFilledMultiColor({x_of(heat.points[i - 1].value), low.y},
+                                 {x_of(heat.points[i].value), high.y}, left, right, right, left);
+  }
+  if (!heat.equally_good) return;
+  const auto [from, to] = *heat.equally_good;
+  list.AddRectFilled({x_of(from) - 1, high.y - scaled(2)}, {x_of(to) + 1, high.y},
+                     ImGui::GetColorU32(theme().good));
+}
+
+void draw_bar(ImVec2 low, ImVec2 high, const Field& field, double value, bool hot, const ValueHeat* heat) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
   const auto colour = [](ImU32 c) { return ImGui::GetColorU32(c); };
@@ -90,6 +111,7 @@ void draw_bar(ImVec2 low, ImVec2 high, const Field& field, double value, bool ho
   list.PushClipRect(low, {edge, high.y}, true);
   list.AddRectFilled(low, high, colour(theme().accent_soft), rounding);
   list.PopClipRect();
+  if (heat != nullptr) draw_heat(low, high, field, *heat);
   if (hot) list.AddLine({edge, low.y + 1}, {edge, high.y - 1}, colour(theme().accent), scaled(2));
   const std::string text =
       named ? std::string(field.zero_text) : number_text(value, field.type == FieldType::integer);
@@ -134,7 +156,7 @@ double value_at(const Field& field, double share, bool fine) {
   return std::clamp(value, low, high);
 }
 
-BarResult value_bar(const char* id, double value, const Field& field, float width) {
+BarResult value_bar(const char* id, double value, const Field& field, float width, const ValueHeat* heat) {
   BarResult result;
   ImGui::PushID(id);
   const ImGuiID own = ImGui::GetID("bar");
@@ -168,7 +190,7 @@ BarResult value_bar(const char* id, double value, const Field& field, float widt
     if (moved) result.value = value_at(field, share, io.KeyShift);
     result.dragged = moved && result.value != value;
   }
-  draw_bar(low, high, field, value, ImGui::IsItemHovered() || ImGui::IsItemActive());
+  draw_bar(low, high, field, value, ImGui::IsItemHovered() || ImGui::IsItemActive(), heat);
   ImGui::PopID();
   return result;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/workbench/fit_result.h"
 #include "pipeline/params/description.h"
 
 namespace inkbench {
@@ -21,8 +22,10 @@ struct BarResult {
 };
 
 /// `id` must be unique in its window. Dragging sets values of the useful range in sensible steps, finer with
-/// Shift; Ctrl and click types any number. What edits the document takes its edit back itself on Esc.
-BarResult value_bar(const char* id, double value, const Field& field, float width);
+/// Shift; Ctrl and click types any number. What edits the document takes its edit back itself on Esc. `heat`,
+/// where it is known, glows behind the values that are good.
+BarResult value_bar(const char* id, double value, const Field& field, float width,
+                    const ValueHeat* heat = nullptr);
 
 /// What the person made of the bar: the value dragged to, or what was typed where that is a finite number.
 std::optional<double> entered(const BarResult& bar);
