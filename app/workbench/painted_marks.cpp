@@ -39,8 +39,7 @@ std::string camera_text(const CameraParams& camera) {
 }
 
 bool is_of(const CameraMarks& marks, const CameraParams& camera, int width_px, int height_px) {
-  return marks.width_px == width_px && marks.height_px == height_px &&
-         camera_text(marks.camera) == camera_text(camera);
+  return marks.width_px == width_px && marks.height_px == height_px && same_camera(marks.camera, camera);
 }
 
 double squared_distance(double x, double y, const BrushPoint& a, const BrushPoint& b) {
@@ -74,6 +73,10 @@ int whole_entry(const TomlReader& toml, const TomlNode& node, const std::string&
 
 bool same_marks(const PaintedMarks& a, const PaintedMarks& b) {
   return marks_text(a) == marks_text(b);
+}
+
+bool same_camera(const CameraParams& a, const CameraParams& b) {
+  return camera_text(a) == camera_text(b);
 }
 
 std::string runs_of(const MarkMaps& marks) {

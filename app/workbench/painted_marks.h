@@ -27,6 +27,7 @@ struct CameraMarks {
 using PaintedMarks = std::vector<CameraMarks>;
 
 bool same_marks(const PaintedMarks& a, const PaintedMarks& b);
+bool same_camera(const CameraParams& a, const CameraParams& b);
 
 /// The pixels row by row: a letter for each run, after the run's length where it is not 1. "." none, "w"
 /// wanted, "u" unwanted, capitals where a line was drawn there.
