@@ -30,16 +30,22 @@ std::vector<std::string> FitDesk::ticked(const Settings& settings) const {
   return keys;
 }
 
-void FitDesk::start(const Settings& settings, std::span<const CameraBookmark> kept) {
-  FitRequest request{settings, ticked(settings), {}, options.budget};
-  if (options.uses_kept_cameras) {
-    for (const CameraBookmark& bookmark : kept) request.cameras.push_back(bookmark.camera);
-  }
+void FitDesk::start(const Settings& settings, std::span<const CameraBookmark> kept,
+                    const PaintedMarks& marks) {
+  FitRequest request{settings,
+                     ticked(settings),
+                     {},
+                     options.budget,
+                     fit_marks(settings, marks, options),
+                     options.uses_reference};
+  std::vector<CameraParams> cameras;
+  for (const CameraBookmark& bookmark : kept) cameras.push_back(bookmark.camera);
+  request.cameras = fit_cameras(settings, cameras, request.marks, options);
   const std::string spec = fit_spec_text(request, "scene.toml");
   clear();
   folder_ = std::make_unique<ScratchFolder>();
   write_file_atomically(folder_->path() / "scene.toml", fit_scene_text(request));
-  write_file_atomically(folder_->path() / "fit.toml", spec);
+  write_file_atomically(folder_->path() / "fit.toml", spec + write_fit_marks(folder_->path(), request));
   request_ = std::move(request);
   run_ = std::make_unique<FitRun>(own_program(), folder_->path() / "fit.toml", folder_->path() / "found");
 }

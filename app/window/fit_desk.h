@@ -33,9 +33,9 @@ class FitDesk {
 
   // --- the search ---
 
-  /// Begins, and drops what was found before. Errors (input): nothing is ticked; (work): it cannot be
-  /// started.
-  void start(const Settings& settings, std::span<const CameraBookmark> kept);
+  /// With marks where the options want them and there are some of the image's size. Begins, and drops what
+  /// was found before. Errors (input): nothing is ticked; (work): it cannot be started.
+  void start(const Settings& settings, std::span<const CameraBookmark> kept, const PaintedMarks& marks);
   void cancel();
   /// Once a frame: takes in what the search tells. Returns whether anything changed.
   bool follow(const Document& document);

@@ -186,6 +186,7 @@ Json fit_result_of(const FitDesk& fit) {
   Json json{{"before", found->before ? Json(*found->before) : Json()},
             {"after", found->after ? Json(*found->after) : Json()},
             {"stopped", found->stopped},
+            {"marks", found->marks},
             {"is_set", fit.is_set()}};
   for (const FittedParameter& fitted : found->parameters) {
     json["values"][fitted.key] = fitted.value;

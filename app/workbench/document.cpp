@@ -68,9 +68,11 @@ void Document::replace(const Settings& settings, const std::string& step) {
   attempt([&] { accept(settings, step); });
 }
 
-void Document::accept(const Settings& settings, const std::string& step) {
+void Document::accept(const Settings& settings, const std::string& step,
+                      const std::optional<PaintedMarks>& marks) {
   Settings next = settings;
   for (const Param& param : list_params(next)) param.set(param.value(), "");  // each is asked
+  if (marks && !same_marks(*marks, this->marks())) return record(std::move(next), *marks, step);
   history_.record(std::move(next), step);
   ++revision_;
 }
@@ -88,11 +90,14 @@ bool Document::take_over(const Settings& settings, const std::filesystem::path& 
 }
 
 void Document::set_marks(PaintedMarks marks, const std::string& step) {
-  if (same_marks(marks, this->marks())) return;
+  if (!same_marks(marks, this->marks())) record(settings(), std::move(marks), step);
+}
+
+void Document::record(Settings settings, PaintedMarks marks, const std::string& step) {
   Origin origin = this->origin();
   origin.marks = std::make_shared<const PaintedMarks>(std::move(marks));
   origins_.push_back(std::move(origin));
-  history_.record_origin(origins_.size() - 1, step);
+  history_.record_from(origins_.size() - 1, std::move(settings), step, true);
   ++revision_;
 }
 

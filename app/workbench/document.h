@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,9 @@ class Document {
 
   // --- the same for opening files, which goes on after an error: these throw it ---
 
-  /// As `replace`. Errors (input): a value that is not accepted.
-  void accept(const Settings& settings, const std::string& step);
+  /// As `replace`, with marks where there are some to take. Errors (input): a value that is not accepted.
+  void accept(const Settings& settings, const std::string& step,
+              const std::optional<PaintedMarks>& marks = {});
   /// Settings as a file holds them are their own baseline, and nothing is painted over them; `name` stands
   /// for the file. Errors (input): what
   /// `check_settings` refuses.
@@ -90,6 +92,7 @@ class Document {
                           const PaintedMarks& marks);
   const Origin& origin() const { return origins_.at(history_.origin()); }
   void take_from(Origin origin, const Settings& settings, const std::string& step);
+  void record(Settings settings, PaintedMarks marks, const std::string& step);
   template <class Action>
   bool attempt(const Action& action);
 

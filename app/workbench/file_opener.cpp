@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "app/workbench/presets.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
 #include "pipeline/mesh/levels/model_mesh.h"
@@ -32,8 +33,10 @@ bool FileOpener::is_kept_preset(const std::filesystem::path& file) const {
 }
 
 void FileOpener::take_scene(const OpenedFile& file) {
-  if (is_kept_preset(file.path))
-    return document_.accept(*file.settings, "preset " + file.path.stem().string());
+  if (is_kept_preset(file.path)) {
+    const std::string name = file.path.stem().string();
+    return document_.accept(*file.settings, "preset " + name, PresetStore(presets_folder_).marks(name));
+  }
   document_.accept_from(file.path.filename().string(), file.path, *file.settings, opening(file));
 }
 

@@ -78,6 +78,8 @@ FitResult result_in(const FitJson& json, const CsvTable& profiles) {
     result.parameters.push_back({key, text, true, heat_in(profiles, key, found, result.after.value_or(0))});
   }
   read_worth(json, result);
+  if (const auto marks = json.find("marks"); marks != json.end())
+    result.marks = marks->at("sentences").get<std::vector<std::string>>();
   return result;
 }
 

@@ -32,10 +32,12 @@ struct FittedParameter {
 };
 
 struct FitResult {
-  std::optional<double> before, after;  ///< The objective, F. `before` is that of the settings at the start.
-  std::optional<double> left_out;       ///< Judged on each camera with values found without it.
-  bool is_gain = true;                  ///< False where that is no better than `before`.
+  std::optional<double> before,
+      after;  ///< The objective: F, or that of marks. `before` is that of the settings at the start.
+  std::optional<double> left_out;  ///< Judged on each camera with values found without it.
+  bool is_gain = true;             ///< False where that is no better than `before`.
   std::vector<FittedParameter> parameters;
+  std::vector<std::string> marks;  ///< What became of the marks, a sentence each.
   size_t candidates = 0;
   bool stopped = false;
 

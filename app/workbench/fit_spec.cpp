@@ -117,6 +117,45 @@ std::string fit_spec_text(const FitRequest& request, const std::string& scene_na
   return text;
 }
 
+PaintedMarks fit_marks(const Settings& settings, const PaintedMarks& marks, const FitOptions& options) {
+  PaintedMarks result;
+  for (const CameraMarks& one : marks) {
+    const bool fits = one.width_px == settings.image.width && one.height_px == settings.image.height;
+    if (fits && options.uses_marks) result.push_back(one);
+  }
+  return result;
+}
+
+std::vector<CameraParams> fit_cameras(const Settings& settings, std::span<const CameraParams> kept,
+                                      const PaintedMarks& marks, const FitOptions& options) {
+  std::vector<CameraParams> cameras;
+  const auto add = [&](const CameraParams& camera) {
+    const bool is_new = std::none_of(cameras.begin(), cameras.end(),
+                                     [&](const CameraParams& other) { return same_camera(other, camera); });
+    if (is_new) cameras.push_back(camera);
+  };
+  if (marks.empty() || options.uses_reference) {
+    for (const CameraParams& camera : kept) {
+      if (options.uses_kept_cameras) cameras.push_back(camera);
+    }
+    if (cameras.empty()) add(settings.camera);
+  }
+  for (const CameraMarks& one : marks) add(one.camera);
+  const bool are_kept = options.uses_kept_cameras && !kept.empty() && marks.empty();
+  const bool is_present_alone = cameras.size() == 1 && same_camera(cameras.front(), settings.camera);
+  return is_present_alone && !are_kept ? std::vector<CameraParams>() : cameras;
+}
+
+std::string write_fit_marks(const std::filesystem::path& folder, const FitRequest& request) {
+  std::vector<MarkedView> views;
+  for (const CameraParams& camera : request.cameras)
+    views.push_back({"view_" + std::to_string(views.size() + 1), camera});
+  if (views.empty()) views.push_back({"", request.settings.camera});
+  const std::string tables = write_mark_files(folder, request.marks, views, request.settings.image.width,
+                                              request.settings.image.height);
+  return tables.empty() || request.uses_reference ? tables : tables + "\n[objective]\nreference = false\n";
+}
+
 bool is_still_about(const FitRequest& request, const Settings& settings) {
   if (!same_structure(request.settings, settings)) return false;
   const std::vector<ParamChange> changes = changed_params(request.settings, settings);

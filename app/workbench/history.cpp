@@ -47,15 +47,10 @@ bool History::record(Settings next, const std::string& name) {
   return add_step(next, name, origin_);
 }
 
-bool History::record_from(size_t origin, Settings next, const std::string& name) {
+bool History::record_from(size_t origin, Settings next, const std::string& name, bool even_if_equal) {
   end_edit();
   std::swap(current_, next);
-  return add_step(next, name, origin);
-}
-
-void History::record_origin(size_t origin, const std::string& name) {
-  end_edit();
-  add_step(current_, name, origin, true);
+  return add_step(next, name, origin, even_if_equal);
 }
 
 void History::begin_edit(const std::string& name) {

@@ -33,10 +33,9 @@ class History {
 
   /// The same for settings that came from another file: `origin` is a number that the caller chose for it,
   /// and undo brings back the one before with its settings. At the start it is 0.
-  bool record_from(size_t origin, Settings next, const std::string& name);
+  /// `even_if_equal`: a step although no setting changes, since the origin does.
+  bool record_from(size_t origin, Settings next, const std::string& name, bool even_if_equal = false);
   size_t origin() const { return origin_; }
-  /// A step that changes nothing but the origin.
-  void record_origin(size_t origin, const std::string& name);
 
   /// An edit is a change in many small moves, such as dragging a slider, that is one step. One that comes
   /// back to where it began is none. `begin_edit` within an edit ends that one first.

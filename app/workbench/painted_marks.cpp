@@ -39,8 +39,7 @@ std::string camera_text(const CameraParams& camera) {
 }
 
 bool is_of(const CameraMarks& marks, const CameraParams& camera, int width_px, int height_px) {
-  return marks.width_px == width_px && marks.height_px == height_px &&
-         camera_text(marks.camera) == camera_text(camera);
+  return marks.width_px == width_px && marks.height_px == height_px && same_camera(marks.camera, camera);
 }
 
 double squared_distance(double x, double y, const BrushPoint& a, const BrushPoint& b) {
@@ -74,6 +73,10 @@ int whole_entry(const TomlReader& toml, const TomlNode& node, const std::string&
 
 bool same_marks(const PaintedMarks& a, const PaintedMarks& b) {
   return marks_text(a) == marks_text(b);
+}
+
+bool same_camera(const CameraParams& a, const CameraParams& b) {
+  return camera_text(a) == camera_text(b);
 }
 
 std::string runs_of(const MarkMaps& marks) {
@@ -169,10 +172,10 @@ void paint(MarkMaps& marks, const BrushStroke& stroke, const LineMap& drawn) {
   });
 }
 
-std::string marks_text(const PaintedMarks& marks) {
+std::string marks_text(const PaintedMarks& marks, const std::string& table) {
   std::string text;
   for (const CameraMarks& one : marks)
-    text += fmt::format("[[session.marks]]\nwidth = {}\nheight = {}\nruns = \"{}\"\n", one.width_px,
+    text += fmt::format("[[{}]]\nwidth = {}\nheight = {}\nruns = \"{}\"\n", table, one.width_px,
                         one.height_px, one.runs) +
             camera_text(one.camera);
   return text;
@@ -182,7 +185,7 @@ CameraMarks read_camera_marks(const TomlNode& table, const std::string& name,
                               std::vector<std::string>& left_out) {
   const TomlReader toml(name);
   CameraMarks marks;
-  for (const auto& [key, node] : toml.entries_of(table, "session.marks")) {
+  for (const auto& [key, node] : toml.entries_of(table, "marks")) {
     if (key == "width" || key == "height") {
       (key == "width" ? marks.width_px : marks.height_px) = whole_entry(toml, node, key);
       continue;
@@ -195,13 +198,22 @@ CameraMarks read_camera_marks(const TomlNode& table, const std::string& name,
     const auto field = std::find_if(fields.begin(), fields.end(),
                                     [&, &key_ = key](const Field& one) { return one.name == key_; });
     if (field == fields.end()) {
-      left_out.push_back(left_out_name("session.marks." + key, node));
+      left_out.push_back(left_out_name("marks." + key, node));
       continue;
     }
-    const Param param{"session.marks." + key, &*field, &marks.camera};
+    const Param param{"marks." + key, &*field, &marks.camera};
     param.set(value_from_toml(param, node, toml.at(node), "/"), toml.at(node));
   }
   marks_from_runs(marks.runs, marks.width_px, marks.height_px, toml.at(table));  // or they are damaged
+  return marks;
+}
+
+PaintedMarks parse_marks(const std::string& text, const std::string& name) {
+  PaintedMarks marks;
+  std::vector<std::string> left_out;
+  const TomlNode document = parse_toml(text, name);
+  for (const TomlNode* table : TomlReader(name).tables(document, "marks"))
+    marks.push_back(read_camera_marks(*table, name, left_out));
   return marks;
 }
 

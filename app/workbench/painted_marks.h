@@ -27,6 +27,7 @@ struct CameraMarks {
 using PaintedMarks = std::vector<CameraMarks>;
 
 bool same_marks(const PaintedMarks& a, const PaintedMarks& b);
+bool same_camera(const CameraParams& a, const CameraParams& b);
 
 /// The pixels row by row: a letter for each run, after the run's length where it is not 1. "." none, "w"
 /// wanted, "u" unwanted, capitals where a line was drawn there.
@@ -60,11 +61,13 @@ LineMap pixels_of(const BrushStroke& stroke, int width_px, int height_px);
 /// Paints over what is there. `drawn`: the lines now, which the marked pixels keep.
 void paint(MarkMaps& marks, const BrushStroke& stroke, const LineMap& drawn);
 
-/// The tables of a session: [[session.marks]].
-std::string marks_text(const PaintedMarks& marks);
+/// As [[`table`]] of a TOML document.
+std::string marks_text(const PaintedMarks& marks, const std::string& table = "marks");
 /// One of them. Errors (input): `name:line` of what is broken in it.
 CameraMarks read_camera_marks(const TomlNode& table, const std::string& name,
                               std::vector<std::string>& left_out);
+/// A document of nothing else. Errors (input): the same, and broken TOML.
+PaintedMarks parse_marks(const std::string& text, const std::string& name);
 
 /// A view of a search.
 struct MarkedView {

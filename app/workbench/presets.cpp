@@ -113,7 +113,8 @@ void PresetStore::check_exists(const std::string& name) const {
     throw input_error("preset", "there is none named '" + name + "'", suggest(name, list()));
 }
 
-fs::path PresetStore::save(const std::string& name, const Settings& settings, bool overwrite) const {
+fs::path PresetStore::save(const std::string& name, const Settings& settings, bool overwrite,
+                           const PaintedMarks& marks) const {
   check_preset_name(name);
   std::error_code error;
   if (!overwrite && fs::exists(path_of(name), error))
@@ -121,6 +122,8 @@ fs::path PresetStore::save(const std::string& name, const Settings& settings, bo
                       "overwrite it or choose another name");
   remove_abandoned_files(folder_);
   write_file_atomically(path_of(name), preset_text(name, settings));
+  fs::remove(marks_path_of(name), error);
+  if (!marks.empty()) write_file_atomically(marks_path_of(name), marks_text(marks));
   return path_of(name);
 }
 
@@ -129,11 +132,19 @@ Settings PresetStore::load(const std::string& name) const {
   return load_settings(path_of(name));
 }
 
+std::optional<PaintedMarks> PresetStore::marks(const std::string& name) const {
+  const fs::path file = marks_path_of(name);
+  std::error_code error;
+  if (name_fault(name) != "" || !fs::is_regular_file(file, error)) return std::nullopt;
+  return parse_marks(read_file(file), file.string());
+}
+
 void PresetStore::remove(const std::string& name) const {
   check_exists(name);
   std::error_code error;
   fs::remove(path_of(name), error);
   if (error) throw work_error(path_of(name).string(), "cannot be removed: " + error.message());
+  fs::remove(marks_path_of(name), error);
 }
 
 PresetTable compare_settings(std::span<const NamedSettings> settings) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Named presets: all settings as a TOML file each, in one folder. A preset is a scene file, so `inkbench
 // render
-// --scene` and studies read it as well.
+// --scene` and studies read it as well. Marks lie beside it, in NAME.marks.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/workbench/painted_marks.h"
 #include "pipeline/settings/settings.h"
 
 namespace inkbench {
@@ -40,15 +41,19 @@ class PresetStore {
 
   /// Written whole or not at all; returns its path. Errors (input): a bad name, or one that exists unless
   /// `overwrite`; (work): the file cannot be written.
-  std::filesystem::path save(const std::string& name, const Settings& settings, bool overwrite = false) const;
+  std::filesystem::path save(const std::string& name, const Settings& settings, bool overwrite = false,
+                             const PaintedMarks& marks = {}) const;
 
   /// Errors (input): a bad name, no such preset (with the nearest name), file:line of what is wrong in it.
   Settings load(const std::string& name) const;
+  /// What was painted over its pictures; nothing where nothing was. Errors (input): as `parse_marks`.
+  std::optional<PaintedMarks> marks(const std::string& name) const;
 
   /// Errors (input): a bad name, no such preset; (work): it cannot be removed.
   void remove(const std::string& name) const;
 
  private:
+  std::filesystem::path marks_path_of(const std::string& name) const { return folder_ / (name + ".marks"); }
   void check_exists(const std::string& name) const;
 
   std::filesystem::path folder_;

@@ -135,7 +135,7 @@ std::string session_text(const Session& session) {
             struct_text(CameraBookmark::description(), &bookmark) +
             struct_text(CameraParams::description(), &bookmark.camera);
   }
-  return text + marks_text(session.marks) + settings_text(session.settings);
+  return text + marks_text(session.marks, "session.marks") + settings_text(session.settings);
 }
 
 Session parse_session(std::string_view text, const std::string& name, std::vector<std::string>* left_out) {

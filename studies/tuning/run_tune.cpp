@@ -53,7 +53,8 @@ Json json_of(const MarkReport& report) {
   Json methods = Json::array(), better = Json::array();
   for (const Compliance& method : report.methods) methods.push_back(json_of(method));
   for (const Compliance* method : report.better()) better.push_back(method->name);
-  return {{"default", json_of(report.initial)},
+  return {{"sentences", mark_sentences(report)},
+          {"default", json_of(report.initial)},
           {"tuned", json_of(report.tuned)},
           {"methods", methods},
           {"better", better}};

@@ -107,5 +107,25 @@ TEST_F(AppMarks, a_stroke_that_is_given_up_leaves_none) {
   EXPECT_EQ(after["view"]["filled"], "normal");
 }
 
+TEST_F(AppMarks, alone_are_fitted_without_reference_lines_and_what_they_could_not_have_is_said) {
+  open_with_brush();
+  drag(place("tile:normal", 0.3, 0.06), place("tile:normal", 0.5, 0.06));  // the empty background
+  wait_for_painted("wanted");
+  click("brush:Unwanted");
+  paint_across(0.5);
+  wait_for_painted("unwanted");
+  click("tab:Judge");
+  click("fit:choices");
+  click("fit:reference");
+  type_over("bar:fit.budget", "60");
+  click("fit");
+  const Json found = wait_for("the fit", [](const Json& now) { return now["fit"]["result"].is_object(); });
+  EXPECT_EQ(found["fit"]["cameras"], 0) << "the present camera";
+  const Json& sentences = found["fit"]["result"]["marks"];
+  ASSERT_FALSE(sentences.empty());
+  EXPECT_NE(sentences[0].get<std::string>().find("1 of 1 wanted stroke is missed"), std::string::npos)
+      << sentences[0];
+}
+
 }  // namespace
 }  // namespace inkbench

@@ -48,6 +48,29 @@ class FileOpenerTest : public testing::Test {
                       .opened = [this](const fs::path& file) { opened_.push_back(file); }}};
 };
 
+TEST_F(FileOpenerTest, a_preset_brings_its_marks_in_one_step_and_one_without_leaves_those_that_are_there) {
+  const PaintedMarks mine{{{}, 2, 1, "wu"}}, others{{{}, 2, 1, "uW"}};
+  const PresetStore store(presets());
+  store.save("marked", paper_settings(), false, mine);
+  store.save("plain", paper_settings());
+  document_.set_marks(others, "paint");
+  opener_.open(store.path_of("plain").string());
+  EXPECT_TRUE(same_marks(document_.marks(), others));
+  opener_.open(store.path_of("marked").string());
+  EXPECT_TRUE(same_marks(document_.marks(), mine));
+  document_.undo();
+  EXPECT_TRUE(same_marks(document_.marks(), others));
+}
+
+TEST_F(FileOpenerTest, a_scene_has_no_marks_and_undo_brings_them_back) {
+  const PaintedMarks mine{{{}, 2, 1, "wu"}};
+  document_.set_marks(mine, "paint");
+  opener_.open(scene("a.toml", 0.5F).string());
+  EXPECT_TRUE(document_.marks().empty());
+  document_.undo();
+  EXPECT_TRUE(same_marks(document_.marks(), mine));
+}
+
 TEST_F(FileOpenerTest, a_scene_is_where_the_settings_come_from) {
   const fs::path file = scene("a.toml", 0.5F);
   opener_.open(file.string());

@@ -27,7 +27,7 @@ Settings with_method(const std::string& method) {
 }
 
 FitRequest small_request() {
-  return {paper_settings(), {"combine.k_depth", "combine.k_normal"}, {}, 50};
+  return {paper_settings(), {"combine.k_depth", "combine.k_normal"}, {}, 50, {}};
 }
 
 TEST(FitSpec, the_papers_two_coefficients_are_ticked_at_first) {
@@ -102,6 +102,48 @@ TEST(FitSpec, judged_from_kept_cameras_the_camera_may_move) {
   Settings settings = request.settings;
   set(settings, "camera.fov", 30.0F);
   EXPECT_TRUE(is_still_about(request, settings));
+}
+
+TEST(FitSpec, marks_are_judged_from_their_own_cameras_beside_the_others) {
+  const Settings settings = paper_settings();
+  CameraParams kept = settings.camera, marked = settings.camera;
+  kept.eye.x += 1;
+  marked.eye.x += 2;
+  const PaintedMarks marks{{marked, settings.image.width, settings.image.height, "unread"}};
+  const std::vector<CameraParams> cameras{kept};
+  FitOptions options;
+  EXPECT_EQ(fit_cameras(settings, cameras, marks, options).size(), 2U);
+  EXPECT_EQ(fit_cameras(settings, {}, marks, options).size(), 2U) << "the present one and the marks'";
+  options.uses_reference = false;
+  const std::vector<CameraParams> alone = fit_cameras(settings, cameras, marks, options);
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_TRUE(same_camera(alone[0], marked));
+  EXPECT_TRUE(fit_cameras(settings, {}, {}, options).empty()) << "the present one alone";
+}
+
+TEST(FitSpec, marks_of_another_size_or_not_wanted_do_not_count) {
+  const Settings settings = paper_settings();
+  const PaintedMarks marks{{settings.camera, settings.image.width, settings.image.height, "unread"},
+                           {settings.camera, 7, 5, "unread"}};
+  FitOptions options;
+  EXPECT_EQ(fit_marks(settings, marks, options).size(), 1U);
+  options.uses_marks = false;
+  EXPECT_TRUE(fit_marks(settings, marks, options).empty());
+}
+
+TEST(FitSpec, marks_stand_in_the_spec_that_tune_reads) {
+  FitRequest request = small_request();
+  request.settings.image.width = 4;
+  request.settings.image.height = 1;
+  request.uses_reference = false;
+  request.marks = {{request.settings.camera, 4, 1, ".wUu"}};
+  const TemporaryFolder folder;
+  folder.write("scene.toml", fit_scene_text(request));
+  const std::string text = fit_spec_text(request, "scene.toml") + write_fit_marks(folder.path(), request);
+  const TuneSpec spec = load_tune_spec(folder.write("fit.toml", text));
+  ASSERT_TRUE(spec.pictures.size() == 1 && spec.pictures[0].marks);
+  EXPECT_TRUE(spec.pictures[0].marks->marks.unwanted.at(2, 0));
+  EXPECT_EQ(spec.objective.text(), "marks");
 }
 
 }  // namespace

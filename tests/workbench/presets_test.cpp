@@ -196,5 +196,17 @@ TEST_F(UserFolder, without_a_home_is_an_error) {
   EXPECT_THAT(error_of([] { user_folder(); }, ErrorKind::work), StartsWith("HOME: is not set"));
 }
 
+TEST(Presets, keep_marks_beside_them_until_they_are_saved_without) {
+  const TemporaryFolder folder;
+  const PresetStore store(folder.path());
+  const PaintedMarks marks{{{}, 3, 1, "wuW"}};
+  store.save("one", paper_settings(), false, marks);
+  ASSERT_TRUE(store.marks("one"));
+  EXPECT_TRUE(same_marks(*store.marks("one"), marks));
+  EXPECT_THAT(store.list(), ElementsAre("one"));
+  store.save("one", paper_settings(), true);
+  EXPECT_FALSE(store.marks("one"));
+}
+
 }  // namespace
 }  // namespace inkbench

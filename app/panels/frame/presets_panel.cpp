@@ -52,7 +52,7 @@ void PresetsPanel::select(const std::string& name) {
 void PresetsPanel::save(const std::string& name, bool overwrite) {
   const bool saved = attempt(problems_, [&] {
     const PresetStore& presets = keeping_.presets();
-    presets.save(name, with_absolute_paths(document_.settings()), overwrite);
+    presets.save(name, with_absolute_paths(document_.settings()), overwrite, document_.marks());
     keeping_.add_recent(presets.path_of(name));
     problems_.tell(Severity::note, "saved the preset " + name);
   });

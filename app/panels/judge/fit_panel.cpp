@@ -27,11 +27,13 @@ std::string short_names(const std::vector<std::string>& keys) {
   return join(names, ", ");
 }
 
-/// "F 0.508 → 0.938", with as many digits as it takes to see a change.
-std::string change_of(const std::optional<double>& before, const std::optional<double>& after) {
-  if (!before || !after) return after ? fmt::format("F {:.3f}", *after) : "F –";
+/// "F 0.508 → 0.938", with as many digits as it takes to see a change; "marks" where it looks at those.
+std::string change_of(const FitRequest& request, const std::optional<double>& before,
+                      const std::optional<double>& after) {
+  const char* name = request.marks.empty() ? "F" : "marks";
+  if (!before || !after) return after ? fmt::format("{} {:.3f}", name, *after) : std::string(name) + " –";
   const int digits = std::abs(*after - *before) < 0.001 ? 4 : 3;
-  return fmt::format("F {:.{}f} → {:.{}f}", *before, digits, *after, digits);
+  return fmt::format("{} {:.{}f} → {:.{}f}", name, *before, digits, *after, digits);
 }
 
 /// "combine.k_depth 0.003 → 0.001931"; faint where it stays as it is.
@@ -49,11 +51,12 @@ bool knows_ranges(const FitResult& found) {
 }
 
 /// "91 / 200, F 0.508 → 0.937".
-std::string progress_of(const FitRun& run) {
+std::string progress_of(const FitRequest& request, const FitRun& run) {
   if (run.progress().done == 0) return "starts…";
   const auto count = [](size_t number) { return with_commas(static_cast<long long>(number)); };
   std::string text = count(run.progress().done) + " / " + count(run.progress().total);
-  if (!run.trace().empty()) text += ", " + change_of(run.trace().front().best, run.trace().back().best);
+  if (!run.trace().empty())
+    text += ", " + change_of(request, run.trace().front().best, run.trace().back().best);
   return text;
 }
 
@@ -92,8 +95,9 @@ void follow_fit(FitDesk& fit, const Document& document, Problems& problems, Wind
   if (!ran || fit.is_running()) return;
   const FitResult* found = fit.result();
   if (found != nullptr) {
-    problems.tell(Severity::note, fmt::format("fit: {}, {} candidates",
-                                              change_of(found->before, found->after), found->candidates));
+    problems.tell(Severity::note,
+                  fmt::format("fit: {}, {} candidates", change_of(fit.request(), found->before, found->after),
+                              found->candidates));
   } else if (fit.run()->state() == FitState::failed) {
     problems.tell(Severity::error, "fit: " + fit.run()->problem());
   }
@@ -114,6 +118,7 @@ void FitPanel::draw_choices() {
     ui_map_.mark_item("fit:kept cameras");
     help_for_item("Judged together from all cameras in the Views tab; else from the present one.");
   }
+  draw_mark_choices();
   const Field& field = FitOptions::description().fields.front();
   ImGui::AlignTextToFramePadding();
   faint_text("candidates");
@@ -127,13 +132,29 @@ void FitPanel::draw_choices() {
   wrapped_text("Right click a parameter's name to let a fit move it, too.", theme().faint);
 }
 
+/// Where something is painted.
+void FitPanel::draw_mark_choices() {
+  FitOptions all = fit_.options;
+  all.uses_marks = true;
+  if (fit_marks(document_.settings(), document_.marks(), all).empty()) return;
+  ImGui::Checkbox("by the marks", &fit_.options.uses_marks);
+  ui_map_.mark_item("fit:marks");
+  help_for_item("What is painted as wanted is to be drawn, what is painted as unwanted is to go.");
+  if (!fit_.options.uses_marks) return;
+  ImGui::Checkbox("and a little by the reference lines", &fit_.options.uses_reference);
+  ui_map_.mark_item("fit:reference");
+  help_for_item("F counts a twentieth as much; without it no reference lines are found.");
+}
+
 void FitPanel::draw_start() {
   const Settings& settings = document_.settings();
   const std::vector<std::string> keys = fit_.ticked(settings);
-  if (ImGui::Button("Fit")) attempt(problems_, [&] { fit_.start(settings, keeping_.bookmarks()); });
+  if (ImGui::Button("Fit"))
+    attempt(problems_, [&] { fit_.start(settings, keeping_.bookmarks(), document_.marks()); });
   ui_map_.mark_item("fit");
   help_for_item(
-      "Search for the values whose lines are the best against the reference lines, by F. Nothing "
+      "Search for the values whose lines are the best against the reference lines, by F, or by the marks. "
+      "Nothing "
       "changes before you take them over.");
   ImGui::SameLine();
   if (toggle_button("…", shows_choices_, "What may move, from which cameras, how long."))
@@ -143,6 +164,7 @@ void FitPanel::draw_start() {
   const size_t kept = fit_.options.uses_kept_cameras ? keeping_.bookmarks().size() : 0;
   std::string text = keys.empty() ? "nothing is ticked" : short_names(keys);
   if (kept > 0) text += ", from " + counted(kept, "camera", "cameras");
+  if (!fit_marks(settings, document_.marks(), fit_.options).empty()) text += ", by marks";
   ImGui::AlignTextToFramePadding();
   fitted_text(text, ImGui::GetContentRegionAvail().x, theme().faint);
   if (shows_choices_) draw_choices();
@@ -155,7 +177,7 @@ void FitPanel::draw_running() {
   const char* label = stops ? "End it" : "Cancel";
   const float room = ImGui::GetContentRegionAvail().x - button_width(label);
   ImGui::AlignTextToFramePadding();
-  fitted_text(progress_of(run), room - ImGui::GetStyle().ItemSpacing.x, theme().text);
+  fitted_text(progress_of(fit_.request(), run), room - ImGui::GetStyle().ItemSpacing.x, theme().text);
   ImGui::SameLine(room + ImGui::GetCursorStartPos().x);
   if (ImGui::Button(label)) fit_.cancel();
   ui_map_.mark_item("fit:cancel");
@@ -182,6 +204,7 @@ void FitPanel::draw_notes(const FitResult& found) {
     wrapped_text(fmt::format("{}F {:.3f} on a camera that it was not fitted on.",
                              found.is_gain ? "" : "Nothing was gained: ", *found.left_out),
                  found.is_gain ? theme().faint : theme().warning);
+  for (const std::string& sentence : found.marks) wrapped_text(sentence, theme().text);
   const std::string indifferent = indifferent_text(found);
   if (!indifferent.empty()) wrapped_text(indifferent + ".", theme().warning);
   if (!found.stopped && !knows_ranges(found))
@@ -205,7 +228,8 @@ void FitPanel::draw_found() {
   const bool is_better = found->is_better();
   const std::string of =
       counted(found->candidates, "candidate", "candidates") + (found->stopped ? ", stopped" : "");
-  fitted_text(is_better ? change_of(found->before, found->after) + ", " + of : "nothing better among " + of,
+  fitted_text(is_better ? change_of(fit_.request(), found->before, found->after) + ", " + of
+                        : "nothing better among " + of,
               width, is_better ? theme().good : theme().text);
   for (const FittedParameter& fitted : found->parameters) draw_fitted(fit_.request(), fitted, width);
   draw_notes(*found);

@@ -21,6 +21,7 @@ class FitPanel {
   void draw();
 
  private:
+  void draw_mark_choices();
   void draw_start();
   void draw_choices();
   void draw_running();
