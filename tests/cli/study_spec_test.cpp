@@ -154,6 +154,7 @@ TEST_F(StudySpecErrors, unknown_measures_are_named) {
   expect_refused("measure = [\"f2\"]\n", {":3", "f2", "f1"});
   expect_refused("measure = [\"f1_detector\"]\n", {":3", "f1_detector", "write \"f1\""});
   expect_refused("measure = 3\n", {":3", "measure", "true"});
+  expect_refused("measure = [\"marks\"]\n", {":3", "'marks'", "inkbench tune"});
 }
 
 }  // namespace
