@@ -16,7 +16,8 @@ class AppMarks : public AppTest {
     keys("1");
     wait_for("one picture", [](const Json& now) { return now["view"]["filled"] == "normal"; });
     keys("m");
-    wait_for("the brush", [](const Json& now) { return now["view"]["tool"] == "mark"; });
+    wait_for("the brush", [](const Json& now) { return now["ui"].contains("brush:Wanted"); });
+    settled();  // its tools have moved the picture
   }
   /// A stroke over the ball's outline.
   void paint_across(double down) { drag(place("tile:normal", 0.3, down), place("tile:normal", 0.7, down)); }
@@ -101,6 +102,7 @@ TEST_F(AppMarks, a_stroke_that_is_given_up_leaves_none) {
   open_with_brush();
   press_and_move(place("tile:normal", 0.3, 0.5), place("tile:normal", 0.7, 0.5));
   keys("Escape");
+  settled();  // Esc in a frame before the release
   release();
   const Json after = settled();
   EXPECT_EQ(painted(after, "cameras"), 0);

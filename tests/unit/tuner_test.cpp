@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "pipeline/base/files.h"
 #include "pipeline/base/stop.h"
 #include "studies/tuning/even_cover.h"
 #include "studies/tuning/tune_spec.h"
@@ -280,6 +281,17 @@ TEST(TuneSpec, groups_times_views_are_the_pictures) {
   EXPECT_EQ(spec.pictures[3].name, "b_side");
   EXPECT_EQ(spec.pictures[3].group, 1U);
   EXPECT_EQ(spec.pictures[3].set.size(), 2U);
+}
+
+TEST(TuneSpec, all_bundled_ones_load_and_say_what_they_are_for) {
+  int specs = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(project_file("studies/tuning"))) {
+    if (entry.path().extension() != ".toml") continue;
+    ++specs;
+    const TuneSpec spec = load_tune_spec(entry.path());
+    EXPECT_FALSE(spec.purpose.empty()) << entry.path();
+  }
+  EXPECT_GE(specs, 7);
 }
 
 TEST(TuneSpec, what_cannot_be_searched_is_named_with_its_line) {

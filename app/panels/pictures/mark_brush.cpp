@@ -93,14 +93,15 @@ void brush_button(ViewState& view, UiMap& ui_map, const char* label, MarkBrush b
 
 bool brush_mouse(Document& document, Viewer& viewer, ViewState& view, const TileFrame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
+  const PicturePoint point = point_under(view, frame, io.MousePos.x, io.MousePos.y);
   if (view.stroke && ImGui::IsItemDeactivated()) {
-    const BrushStroke stroke = *view.stroke;
+    BrushStroke stroke = *view.stroke;
     view.stroke.reset();
+    add_point(stroke, {point.x, point.y});  // the last move may come with the release
     if (!was_given_up()) finish_stroke(document, viewer, stroke);
     return true;
   }
   if (view.tool != MouseTool::mark || io.KeyAlt) return false;
-  const PicturePoint point = point_under(view, frame, io.MousePos.x, io.MousePos.y);
   if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
       has_own_size(document.settings(), frame))
     view.stroke = BrushStroke{view.brush, view.brush_px, {}};
