@@ -15,11 +15,11 @@
 #include <thread>
 
 #include "pipeline/base/files.h"
+#include "pipeline/base/worker_pool.h"
 #include "pipeline/export.h"
 #include "pipeline/gl/context.h"
 #include "pipeline/pipeline.h"
 #include "studies/sweep/run_study.h"
-#include "pipeline/base/worker_pool.h"
 
 namespace {
 

@@ -31,8 +31,8 @@ Image read_image(const std::filesystem::path& path);
 /// colours as they are stored, 1 is white. Errors as `read_picture`.
 Image read_grey_over_white(const std::filesystem::path& path);
 
-/// The same over nothing: where the image has transparency, two channels, luma times alpha and alpha; else one.
-/// Errors as `read_picture`.
+/// The same over nothing: where the image has transparency, two channels, luma times alpha and alpha; else
+/// one. Errors as `read_picture`.
 Image read_grey_and_alpha(const std::filesystem::path& path);
 
 /// 1 to 4. Errors as `read_picture`.

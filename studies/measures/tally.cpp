@@ -203,7 +203,8 @@ CountedReference counted_reference(const LineMap& reference, const LineMap* allo
 
 F1Counts tally_f1(const LineMap& prediction, const CountedReference& reference, double tolerance_px) {
   const LineMap counted = counted_lines(prediction);
-  return {counted.count(), reference.wanted.count(),
+  return {counted.count(),
+          reference.wanted.count(),
           {matched_count(counted, reference.wanted, tolerance_px),
            matched_count(counted, reference.both_tiers, tolerance_px)}};
 }

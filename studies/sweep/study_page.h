@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/base/worker_pool.h"
 #include "studies/report/page.h"
 #include "studies/report/thumbnail.h"
 #include "studies/sweep/cell_tiles.h"
@@ -17,7 +18,6 @@
 #include "studies/sweep/spec.h"
 #include "studies/sweep/study_charts.h"
 #include "studies/sweep/study_folder.h"
-#include "pipeline/base/worker_pool.h"
 
 namespace inkbench {
 
