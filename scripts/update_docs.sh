@@ -42,6 +42,9 @@ for chart in three_f recall_by_class; do
   cp "$out/edge_quality_by_dihedral/charts/$chart.svg" "docs/images/edge_quality/${chart}_dihedral.svg"
 done
 
+./run tune studies/tuning/models_k.toml --out "$out/models_k" >/dev/null
+cp "$out/models_k/charts/box.svg" docs/images/tuning_models_k.svg
+
 # regenerate PAGE COMMAND...: what the command prints follows its marker, to the end of the page.
 regenerate() {
   local page=$1
