@@ -11,7 +11,7 @@ install(TARGETS inkbench_image_codecs inkbench_scene_import LIBRARY DESTINATION 
 
 # The folders' libraries and headers, and what other packages they need, from what they link.
 add_library(inkbench_studies INTERFACE)
-target_link_libraries(inkbench_studies INTERFACE inkbench_studies_sweep)
+target_link_libraries(inkbench_studies INTERFACE inkbench_studies_tuning inkbench_studies_scoring)
 set(libraries inkbench_studies)
 set(linked "")
 file(STRINGS ${CMAKE_BINARY_DIR}/folders.txt folders REGEX "^(pipeline|studies)")
@@ -65,6 +65,7 @@ file(GLOB studies CONFIGURE_DEPENDS studies/*.toml)
 install(DIRECTORY shaders data DESTINATION ${data})
 install(FILES ${studies} DESTINATION ${data}/studies)
 install(DIRECTORY studies/figures DESTINATION ${data}/studies)
+install(DIRECTORY studies/tuning DESTINATION ${data}/studies FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY studies/report/page DESTINATION ${data}/studies/report)
 install(FILES README.md CONTRIBUTING.md LICENSE packages.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -70,6 +70,8 @@ class Install(unittest.TestCase):
 
     def test_an_installed_study_finds_its_scene_and_the_page(self):
         self.succeeds(self.inkbench("study", self.data / "studies/figures/figure_03.toml", "--out", "figure"))
+        self.succeeds(self.inkbench("tune", "list"))
+        self.succeeds(self.inkbench("tune", "models_k", "--dry-run"))
         self.assertIn("Figure 3", (self.folder / "figure/index.html").read_text())
 
     def test_installed_shaders_are_used_before_those_of_the_source_tree(self):
