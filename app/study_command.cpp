@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/hear_signals.h"
 #include "app/progress_line.h"
+#include "app/spec_files.h"
 #include "app/terminal.h"
 #include "app/workbench/study_plan.h"
 #include "pipeline/base/error.h"
@@ -24,15 +25,6 @@ struct StudyArguments {
   std::vector<std::string> assignments;
   bool dry_run = false, fresh = false, fail_fast = false;
 };
-
-std::vector<fs::path> specs_in(const fs::path& folder) {
-  std::vector<fs::path> specs;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".toml") specs.push_back(entry.path());
-  }
-  std::sort(specs.begin(), specs.end());
-  return specs;
-}
 
 void list_studies() {
   for (const char* folder : {"studies", "studies/figures"}) {

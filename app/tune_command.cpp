@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/hear_signals.h"
 #include "app/progress_line.h"
+#include "app/spec_files.h"
 #include "app/terminal.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
@@ -30,17 +31,8 @@ struct TuneArguments {
   bool fresh = false, dry_run = false, no_report = false;
 };
 
-std::vector<fs::path> bundled_searches() {
-  std::vector<fs::path> specs;
-  for (const fs::directory_entry& entry : fs::directory_iterator(project_file("studies/tuning"))) {
-    if (entry.path().extension() == ".toml") specs.push_back(entry.path());
-  }
-  std::sort(specs.begin(), specs.end());
-  return specs;
-}
-
 void list_searches() {
-  for (const fs::path& path : bundled_searches())
+  for (const fs::path& path : specs_in(project_file("studies/tuning")))
     print_out("{:<42} {}\n", "studies/tuning/" + path.filename().string(),
               printable(load_tune_spec(path).purpose));
 }

@@ -7,7 +7,6 @@
 
 #include "pipeline/base/error.h"
 #include "pipeline/base/text.h"
-#include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
 #include "studies/sweep/labels.h"
 
@@ -92,20 +91,11 @@ class AxesReader {
     return toml_.number_of(*node, key);
   }
 
-  bool is_log(const TomlNode& table, const Param& param) const {
-    const TomlNode* node = table.find("scale");
-    if (node == nullptr) return param.field->scale == Scale::log;
-    const std::string scale = toml_.text_of(*node, "scale");
-    if (scale != "linear" && scale != "log")
-      throw input_error(toml_.at(*node), "scale is \"" + scale + "\"", "one of: linear, log");
-    return scale == "log";
-  }
-
   std::vector<Value> range_values(const TomlNode& table, const Param& param) const {
     const double from = number_entry(table, "from");
     const double to = number_entry(table, "to");
     const double count = number_entry(table, "count");
-    const bool log = is_log(table, param);
+    const bool log = scale_entry(toml_, table, param.field->scale) == Scale::log;
     if (!param.is_number()) {
       throw input_error(toml_.at(table),
                         "from and to need a number, and " + param.key + " is a " +
@@ -142,6 +132,15 @@ class AxesReader {
 
 std::vector<Axis> read_axes(const TomlNode& document, const StudySpec& spec) {
   return AxesReader(spec).read(document);
+}
+
+Scale scale_entry(const TomlReader& toml, const TomlNode& table, Scale usual) {
+  const TomlNode* node = table.find("scale");
+  if (node == nullptr) return usual;
+  const std::string scale = toml.text_of(*node, "scale");
+  if (scale != "linear" && scale != "log")
+    throw input_error(toml.at(*node), "scale is \"" + scale + "\"", "one of: linear, log");
+  return scale == "log" ? Scale::log : Scale::linear;
 }
 
 }  // namespace inkbench

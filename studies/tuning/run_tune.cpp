@@ -147,7 +147,7 @@ class TuneRun {
     write_file_atomically(outcome.preset, tuned_preset(spec_, outcome.result));
     write_file_atomically(file("trace.csv"), trace_csv(spec_, outcome.result));
     write_file_atomically(file("box.csv"), box_csv(spec_, outcome.result));
-    write_file_atomically(file("profiles.csv"), profiles_csv(spec_, outcome.result));
+    write_file_atomically(file("profiles.csv"), profiles_csv(outcome.result));
     write_file_atomically(file("tuning.json"), result_json(spec_, outcome.result, paper_, outcome.verdict,
                                                            marks_ ? &*marks_ : nullptr, outcome.cost));
   }

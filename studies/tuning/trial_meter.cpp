@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "pipeline/base/error.h"
+#include "pipeline/base/stop.h"
 #include "pipeline/lines/drawing.h"
 #include "pipeline/passes/lines/reference.h"
 #include "studies/judging/measured_lines.h"
@@ -35,11 +36,9 @@ size_t kept_frames(const TuneSpec& spec) {
 
 }  // namespace
 
-TrialMeter::TrialMeter(Pipeline& pipeline, const TuneSpec& spec, const std::filesystem::path& journal,
-                       StopAsked stop)
+TrialMeter::TrialMeter(Pipeline& pipeline, const TuneSpec& spec, const std::filesystem::path& journal)
     : pipeline_(pipeline),
       spec_(spec),
-      stop_(std::move(stop)),
       measures_(spec.objective.measures()),
       keys_(pipeline, MeasureNeeds::of(measures_)),
       journal_(journal),
@@ -142,7 +141,7 @@ std::vector<GroupTallies> TrialMeter::measure(const std::vector<Values>& candida
     if (!wanted[spec_.pictures[p].group]) continue;
     const Settings base = picture_settings(spec_, spec_.pictures[p]);
     for (size_t c = 0; c < candidates.size(); ++c) {
-      if (stop_asked() || (stop_ && stop_())) {
+      if (stop_asked()) {
         keep_measured();
         throw Stopped();
       }

@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 
-#include "pipeline/base/stop.h"
 #include "pipeline/base/worker_pool.h"
 #include "studies/judging/drawing_meter.h"
 #include "studies/measures/tally.h"
@@ -21,8 +20,7 @@ namespace inkbench {
 class TrialMeter {
  public:
   /// All must outlive it. `journal`: a file for what is measured, or empty.
-  TrialMeter(Pipeline& pipeline, const TuneSpec& spec, const std::filesystem::path& journal = {},
-             StopAsked stop = {});
+  TrialMeter(Pipeline& pipeline, const TuneSpec& spec, const std::filesystem::path& journal = {});
 
   /// As `MeasureCandidates`. A candidate that cannot be drawn has no tallies, and its error is kept.
   std::vector<GroupTallies> measure(const std::vector<Values>& candidates, const std::vector<bool>& wanted);
@@ -57,7 +55,6 @@ class TrialMeter {
 
   Pipeline& pipeline_;
   const TuneSpec& spec_;
-  StopAsked stop_;
   std::vector<const Measure*> measures_;
   MeasureNeeds needs_;     ///< Of those beside F, precision and recall.
   bool needs_f1_ = false;  ///< One of those.

@@ -84,7 +84,7 @@ std::string box_csv(const TuneSpec& spec, const TuneResult& result) {
   return text;
 }
 
-std::string profiles_csv(const TuneSpec&, const TuneResult& result) {
+std::string profiles_csv(const TuneResult& result) {
   std::string text = csv_line(std::vector<std::string>{"parameter", "from", "value", "error", "objective"});
   for (const AxisWorth& axis : result.axes) {
     for (const auto& [from, profile] : {std::pair("default", &axis.alone), {"tuned", &axis.around}}) {

@@ -18,7 +18,7 @@ std::string box_csv(const TuneSpec& spec, const TuneResult& result);
 
 /// profiles.csv: each searched number moved alone, from the default and from the tuned values: `parameter`,
 /// `from`, `value`, `objective`.
-std::string profiles_csv(const TuneSpec& spec, const TuneResult& result);
+std::string profiles_csv(const TuneResult& result);
 
 /// A scene file of the base's own scene with the tuned values: `inkbench render --scene`, studies and the
 /// window read it.

@@ -10,6 +10,7 @@
 #include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
 #include "pipeline/settings/settings_file.h"
+#include "studies/sweep/spec_axes.h"
 #include "studies/sweep/spec_base.h"
 #include "studies/sweep/spec_sets.h"
 
@@ -219,12 +220,7 @@ class TuneSpecReader {
   }
 
   void read_scale(SearchAxis& axis, const TomlNode& table) const {
-    if (const TomlNode* node = table.find("scale")) {
-      const std::string scale = toml_.text_of(*node, "scale");
-      if (scale != "linear" && scale != "log")
-        throw input_error(toml_.at(*node), "scale is \"" + scale + "\"", "one of: linear, log");
-      axis.scale = scale == "log" ? Scale::log : Scale::linear;
-    }
+    axis.scale = scale_entry(toml_, table, axis.scale);
     if (axis.is_number() && axis.scale == Scale::log && axis.from <= 0)
       throw input_error(toml_.at(table), "a log search from " + shortest(axis.from) + " of " + axis.key,
                         "from must be above 0, or scale = \"linear\"");

@@ -180,9 +180,10 @@ class Tuner {
   /// The best few of these, by these groups: the best of different choices first, no two close together.
   std::vector<size_t> best_few(const std::vector<size_t>& trials, const std::vector<bool>& wanted) const {
     std::vector<size_t> order = trials;
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
-      return is_better(score(result_.trials[a].groups, wanted), score(result_.trials[b].groups, wanted));
-    });
+    std::map<size_t, Score> scores;  // pooling is dear
+    for (const size_t trial : trials) scores.try_emplace(trial, score(result_.trials[trial].groups, wanted));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return is_better(scores.at(a), scores.at(b)); });
     std::vector<size_t> few;
     std::set<std::string> seen;
     for (const size_t trial : order) {
