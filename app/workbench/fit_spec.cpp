@@ -42,13 +42,6 @@ bool is_of_method(const ConstParamGroup& group) {
   });
 }
 
-std::string camera_table(const CameraParams& camera) {
-  std::string text = "[view.set.camera]\n";
-  for (const Field& field : CameraParams::description().fields)
-    text += std::string(field.name) + " = " + to_text(field.get(&camera)) + "\n";
-  return text;
-}
-
 }  // namespace
 
 const Description& FitOptions::description() {
@@ -107,7 +100,7 @@ std::string fit_spec_text(const FitRequest& request, const std::string& scene_na
                      "\nbudget = " + std::to_string(request.budget) + "\n";
   for (size_t i = 0; i < request.cameras.size(); ++i) {
     text += "\n[[view]]\nname = \"view_" + std::to_string(i + 1) + "\"\n";
-    text += camera_table(request.cameras[i]);
+    text += "[view.set.camera]\n" + group_text(request.cameras[i]);
   }
   for (const std::string& key : request.keys) {
     if (!can_fit(request.settings, key))

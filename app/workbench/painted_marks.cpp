@@ -11,6 +11,7 @@
 #include "pipeline/base/error.h"
 #include "pipeline/params/toml_reader.h"
 #include "pipeline/params/toml_value.h"
+#include "pipeline/settings/settings.h"
 #include "studies/tuning/mark_file.h"
 
 namespace inkbench {
@@ -29,13 +30,6 @@ char letter_at(const MarkMaps& marks, int x, int y) {
 MarkMaps empty_maps(int width_px, int height_px) {
   const LineMap none(width_px, height_px);
   return {none, none, none};
-}
-
-std::string camera_text(const CameraParams& camera) {
-  std::string text;
-  for (const Field& field : CameraParams::description().fields)
-    text += std::string(field.name) + " = " + to_text(field.get(&camera)) + "\n";
-  return text;
 }
 
 bool is_of(const CameraMarks& marks, const CameraParams& camera, int width_px, int height_px) {
@@ -76,7 +70,9 @@ bool same_marks(const PaintedMarks& a, const PaintedMarks& b) {
 }
 
 bool same_camera(const CameraParams& a, const CameraParams& b) {
-  return camera_text(a) == camera_text(b);
+  const std::vector<Field>& fields = CameraParams::description().fields;
+  return std::all_of(fields.begin(), fields.end(),
+                     [&](const Field& field) { return field.get(&a) == field.get(&b); });
 }
 
 std::string runs_of(const MarkMaps& marks) {
@@ -177,7 +173,7 @@ std::string marks_text(const PaintedMarks& marks, const std::string& table) {
   for (const CameraMarks& one : marks)
     text += fmt::format("[[{}]]\nwidth = {}\nheight = {}\nruns = \"{}\"\n", table, one.width_px,
                         one.height_px, one.runs) +
-            camera_text(one.camera);
+            group_text(one.camera);
   return text;
 }
 

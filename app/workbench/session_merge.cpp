@@ -16,10 +16,7 @@ bool holds(const List& list, const Item& item) {
 }
 
 bool same_view(const CameraBookmark& a, const CameraBookmark& b) {
-  const std::vector<Field>& fields = CameraParams::description().fields;
-  return a.name == b.name && std::all_of(fields.begin(), fields.end(), [&](const Field& field) {
-           return field.get(&a.camera) == field.get(&b.camera);
-         });
+  return a.name == b.name && same_camera(a.camera, b.camera);
 }
 
 bool holds_bookmark(const Bookmarks& list, const CameraBookmark& wanted) {
