@@ -19,6 +19,9 @@ std::vector<UsedFile> named_files(const Settings& settings) {
     if (model.visible && model.shape == Shape::mesh)
       files.push_back({"model." + model.name + ".mesh", mesh_path(model.mesh).string(), ""});
   }
+  const StrokeParams& stroke = settings.stroke;
+  if (settings.ink.from != InkFrom::filter && stroke.brush == Brush::image && !stroke.brush_image.empty())
+    files.push_back({"stroke.brush_image", stroke.brush_image, ""});
   if (!settings.ramp.enabled) return files;
   const auto add = [&](const char* key, const Ramp& ramp) {
     if (!ramp.image.empty()) files.push_back({key, ramp.image, ""});

@@ -8,6 +8,10 @@ const Description& InkParams::description() {
       "ink",
       "Ink over the shading (3.5)",
       {
+          field<&InkParams::from>(
+              {.name = "from",
+               .help = "filter: the lines that edges.method finds; strokes: curves, drawn as stroke.* says; "
+                       "or both."}),
           colour_field<&InkParams::colour>(
               {.name = "colour", .help = "Colour of the lines; the paper's is black."}),
       }};

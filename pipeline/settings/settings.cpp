@@ -224,6 +224,7 @@ void check_settings(const Settings& settings) {
   check_texts(settings);
   check_camera(settings.camera);
   check_names_differ(settings);
+  parse_profile(settings.stroke.profile, "stroke.profile");
   for (const LightParams& light : settings.lights) {
     if (light.type == LightType::directional && light.direction == glm::vec3(0.0F)) {
       throw input_error("light." + light.name + ".direction", "is [0, 0, 0], which is no direction",

@@ -12,6 +12,7 @@
 #include "pipeline/settings/brought_groups.h"
 #include "pipeline/settings/camera.h"
 #include "pipeline/settings/combine_params.h"
+#include "pipeline/settings/curves_params.h"
 #include "pipeline/settings/detector_params.h"
 #include "pipeline/settings/dihedral_params.h"
 #include "pipeline/settings/display_params.h"
@@ -25,6 +26,7 @@
 #include "pipeline/settings/model.h"
 #include "pipeline/settings/ramp.h"
 #include "pipeline/settings/scene_params.h"
+#include "pipeline/settings/stroke_params.h"
 
 namespace inkbench {
 
@@ -45,6 +47,9 @@ struct Settings {
   DihedralParams dihedral;
   LineParams line;
   ClassLooks class_looks = default_class_looks();
+  CurvesParams curves;
+  StrokeParams stroke;
+  StrokeClasses stroke_classes = default_stroke_classes();
   InkParams ink;
   DisplayParams display;
   JudgeParams judge;
@@ -78,6 +83,10 @@ void visit_groups(AnySettings& settings, const Visit& visit, const Wanted& wante
   visit("line", settings.line);
   for (size_t i = 0; i < kEdgeClasses; ++i)
     visit("line." + std::string(kEdgeClassNames[i + 1]), settings.class_looks[i]);
+  visit("curves", settings.curves);
+  visit("stroke", settings.stroke);
+  for (size_t i = 0; i < kCurveClasses; ++i)
+    visit("stroke." + std::string(kCurveClassNames[i]), settings.stroke_classes[i]);
   visit("ink", settings.ink);
   visit("display", settings.display);
   visit("judge", settings.judge);
