@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "pipeline/passes/curves/curves.h"
+#include "pipeline/passes/curves/object_curves_pass.h"
 #include "pipeline/passes/curves/traced_curves.h"
 #include "pipeline/passes/edges/combine.h"
 #include "pipeline/passes/edges/decaudin.h"
@@ -70,7 +72,7 @@ std::vector<const PassKind*>& list() {
       &AliasedCoverage::kind(), &SampledCoverage::kind(),
       &PublishedLookPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
       // lines as curves
-      &TracedCurvesPass::kind(),
+      &ObjectCurvesPass::kind(), &TracedCurvesPass::kind(), &CurvesPass::kind(),
       // light, and ink over it
       &ShadePass::kind(), &InkPass::kind(), &BlinnPhong::kind(),
       // beside the chain

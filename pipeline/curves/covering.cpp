@@ -95,26 +95,28 @@ Behind behind_at(const Sample& sample, const ViewLine& line, const Covering& cov
   return object == 0 ? Behind::nothing : object == own ? Behind::same_object : Behind::other_object;
 }
 
-/// What most say; of equally many the first.
-Behind majority(std::span<const Behind> votes) {
-  std::array<int, 4> counts{};
-  for (const Behind vote : votes) ++counts[static_cast<size_t>(vote)];
-  counts[static_cast<size_t>(Behind::unknown)] = 0;
-  const auto most = std::max_element(counts.begin(), counts.end());
-  return *most == 0 ? Behind::unknown : static_cast<Behind>(most - counts.begin());
+/// Asks `ask(i)` in order, until more than half of `count` say the same: the median of all is that.
+template <class Ask>
+int median_vote(size_t count, const Ask& ask) {
+  std::vector<int> votes;
+  for (size_t i = 0; i < count; ++i) {
+    votes.push_back(ask(i));
+    const auto same = std::count(votes.begin(), votes.end(), votes.back());
+    if (2 * static_cast<size_t>(same) > count) return votes.back();
+  }
+  std::sort(votes.begin(), votes.end());
+  return votes[count / 2];
 }
 
 void decide(ViewEdge& edge, const ViewLine& line, const Covering& covering) {
   const std::vector<Sample> samples = samples_of(edge, line);
-  std::vector<int> counts;
-  for (const Sample& sample : samples) counts.push_back(covering.surfaces_before(sample.world));
-  std::sort(counts.begin(), counts.end());
-  edge.covered = counts[counts.size() / 2];
+  edge.covered =
+      median_vote(samples.size(), [&](size_t i) { return covering.surfaces_before(samples[i].world); });
   if (edge.covered > 0 || !line.covers) return;
-  const std::array<size_t, 3> places{0, samples.size() / 2, samples.size() - 1};
-  std::array<Behind, 3> votes{};
-  for (size_t i = 0; i < votes.size(); ++i) votes[i] = behind_at(samples[places[i]], line, covering);
-  edge.behind = majority(votes);
+  const std::array<size_t, 3> places{samples.size() / 2, 0, samples.size() - 1};
+  edge.behind = static_cast<Behind>(median_vote(places.size(), [&](size_t i) {
+    return static_cast<int>(behind_at(samples[places[i]], line, covering));
+  }));
 }
 
 void start_at_change(ViewLine& line) {
