@@ -10,7 +10,8 @@ namespace {
 using Run = ViewEdge;
 
 CurveClass class_of(const ViewLine& line, const Run& run) {
-  const bool is_border = line.covers && run.covered == 0 && run.behind == Behind::other_object;
+  const bool is_border =
+      (line.covers || line.follows) && run.covered == 0 && run.behind == Behind::other_object;
   return is_border ? CurveClass::object : line.line_class;
 }
 
@@ -54,10 +55,11 @@ std::vector<Run> without_short(const ViewLine& line, std::vector<Run> runs, doub
 }
 
 std::vector<Run> steady(const ViewLine& line, std::vector<Run> runs) {
-  runs = without_short(
-      line, std::move(runs), kShortestRunPx, [](const Run& run, const Run& before, const Run& after) {
-        return is_visible(before) == is_visible(after) && is_visible(run) != is_visible(before);
-      });
+  runs =
+      without_short(line, std::move(runs), line.follows ? kShortestFollowedPx : kShortestRunPx,
+                    [](const Run& run, const Run& before, const Run& after) {
+                      return is_visible(before) == is_visible(after) && is_visible(run) != is_visible(before);
+                    });
   return without_short(line, std::move(runs), kShortestBehindPx,
                        [](const Run& run, const Run& before, const Run& after) {
                          return run.covered == before.covered && run.covered == after.covered &&
@@ -163,8 +165,10 @@ std::vector<Curve> curves_of(const std::vector<ViewLine>& lines, std::span<const
   for (size_t first = 0; first < edges.size();) {
     size_t last = first;
     while (last < edges.size() && edges[last].line == edges[first].line) ++last;
-    maker.add(lines[edges[first].line], {edges.begin() + static_cast<std::ptrdiff_t>(first),
-                                         edges.begin() + static_cast<std::ptrdiff_t>(last)});
+    const ViewLine& line = lines[edges[first].line];
+    if (line.is_drawn)
+      maker.add(line, {edges.begin() + static_cast<std::ptrdiff_t>(first),
+                       edges.begin() + static_cast<std::ptrdiff_t>(last)});
     first = last;
   }
   return maker.take();

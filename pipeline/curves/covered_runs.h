@@ -13,6 +13,8 @@ namespace inkbench {
 /// Shorter parts take what covers the parts on both sides, where those agree: half a pixel is nothing to see,
 /// and a ray that runs through the edge of something says little.
 inline constexpr double kShortestRunPx = 0.5;
+/// The same of lines that follow another one, whose steps are decided one by one.
+inline constexpr double kShortestFollowedPx = 3.0;
 /// The same of what lies behind an outline.
 inline constexpr double kShortestBehindPx = 4.0;
 

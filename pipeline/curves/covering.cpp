@@ -133,8 +133,9 @@ void start_at_change(ViewLine& line) {
 
 }  // namespace
 
-int Covering::surfaces_before(const glm::dvec3& world) const {
-  const Ray ray = view_.ray_to(world);
+int Covering::surfaces_before(const glm::dvec3& world, double apart) const {
+  Ray ray = view_.ray_to(world);
+  ray.to -= apart / glm::length(ray.direction);
   int count = 0;
   for (const CurveModel& model : models_) {
     const glm::dvec3 target(model.to_mesh * glm::dvec4(world, 1.0));
@@ -165,7 +166,7 @@ std::vector<ViewEdge> view_edges(std::vector<ViewLine>& lines) {
     for (uint32_t at = 1; at < line.points.size(); ++at) {
       edge.length_px += step_px(line.points[at - 1], line.points[at]);
       edge.to = at;
-      if (!line.points[at].change && at + 1 < line.points.size()) continue;
+      if (!line.follows && !line.points[at].change && at + 1 < line.points.size()) continue;
       edges.push_back(edge);
       edge = {i, at, at, 0.0, 0, {}};
     }
@@ -175,7 +176,10 @@ std::vector<ViewEdge> view_edges(std::vector<ViewLine>& lines) {
 
 void decide_covering(std::span<ViewEdge> edges, const std::vector<ViewLine>& lines,
                      const Covering& covering) {
-  for_each_in_parallel(edges.size(), [&](size_t i) { decide(edges[i], lines[edges[i].line], covering); });
+  for_each_in_parallel(edges.size(), [&](size_t i) {
+    const ViewLine& line = lines[edges[i].line];
+    if (!line.follows) decide(edges[i], line, covering);
+  });
 }
 
 }  // namespace inkbench

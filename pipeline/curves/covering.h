@@ -32,8 +32,9 @@ class Covering {
  public:
   Covering(std::span<const CurveModel> models, const CurveView& view) : models_(models), view_(view) {}
 
-  /// Surfaces between the near plane and a point of the world that do not go through it.
-  int surfaces_before(const glm::dvec3& world) const;
+  /// Surfaces between the near plane and a point of the world that do not go through it, and are farther
+  /// before it than `apart`, in world units.
+  int surfaces_before(const glm::dvec3& world, double apart = 0.0) const;
   /// The object that is seen through a place in pixels at or behind the distance of `nearness`; 0: none.
   int object_behind(const glm::dvec2& pixel, double nearness) const;
   std::span<const CurveModel> models() const { return models_; }
@@ -44,11 +45,12 @@ class Covering {
   const CurveView& view_;
 };
 
-/// All lines' parts between changes, line by line. Closed lines are turned so that they start at a change.
+/// All lines' parts between changes, line by line; of lines that follow each step. Closed lines are turned so
+/// that they start at a change.
 std::vector<ViewEdge> view_edges(std::vector<ViewLine>& lines);
 
-/// Decides `covered` and, of lines along edges that cover, `behind`, by rays to an odd number of places, more
-/// on longer parts. On all processors; the result depends on none of that.
+/// Decides, for all but lines that follow, `covered` and, of lines along edges that cover, `behind`, by rays
+/// to an odd number of places, more on longer parts. On all processors; the result depends on none of that.
 void decide_covering(std::span<ViewEdge> edges, const std::vector<ViewLine>& lines, const Covering& covering);
 
 }  // namespace inkbench

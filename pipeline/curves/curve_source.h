@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/curves/silhouette_tree.h"
+#include "pipeline/curves/smooth_silhouettes.h"
 #include "pipeline/curves/surface_cuts.h"
 #include "pipeline/curves/triangle_tree.h"
 #include "pipeline/lines/smooth_surface.h"
@@ -43,6 +44,13 @@ class CurveSource {
   const std::vector<uint32_t>& creases() const { return creases_; }
   const SurfaceCuts& own_cuts() const { return own_cuts_; }
 
+  /// The smooth surface, where the parameters ask for lines of it, stretched; else null.
+  const SmoothSurface* surface() const { return surface_.get(); }
+  const glm::dmat3& stretch() const { return stretch_; }
+  const SmoothSilhouettes& smooth_silhouettes() const { return smooth_silhouettes_; }
+  /// Whether the smooth surface ends at the edge.
+  bool is_parted(uint32_t edge) const;
+
  private:
   MeshTopology topology_;
   TriangleTree faces_;
@@ -50,6 +58,9 @@ class CurveSource {
   EdgeSilhouettes silhouettes_;
   std::vector<uint32_t> boundaries_, creases_;
   SurfaceCuts own_cuts_;
+  glm::dmat3 stretch_;
+  std::unique_ptr<SmoothSurface> surface_;
+  SmoothSilhouettes smooth_silhouettes_;
 };
 
 /// What of the parameters decides a source, as text for keys.

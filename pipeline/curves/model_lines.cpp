@@ -29,7 +29,7 @@ class EdgeLines {
   EdgeLines(const CurveModel& model, int index, std::span<const PiercedEdge> pierced)
       : model_(model), topology_(model.source->topology()), index_(index), pierced_(pierced) {}
 
-  void add(CurveClass line_class, const std::vector<uint32_t>& edges, bool covers) {
+  void add(CurveClass line_class, const std::vector<uint32_t>& edges, bool covers, bool is_drawn = true) {
     std::unordered_map<uint64_t, uint32_t> edge_of;
     edge_of.reserve(edges.size());
     std::vector<Link> links;
@@ -44,6 +44,7 @@ class EdgeLines {
       line.line_class = line_class;
       line.model = index_;
       line.covers = covers;
+      line.is_drawn = is_drawn;
       line.is_closed = chain.size() > 2 && chain.front() == chain.back();
       add_point(line, chain[0]);
       for (size_t i = 1; i < chain.size(); ++i)
@@ -133,10 +134,41 @@ std::vector<ViewLine> mesh_edge_lines(const CurveModel& model, int index, const 
   const std::vector<uint32_t> silhouettes =
       source.silhouettes().find(source.topology(), viewpoint_in(model, view), mirrored);
   EdgeLines lines(model, index, pierced);
-  lines.add(CurveClass::silhouette, silhouettes, true);
-  lines.add(CurveClass::boundary, without(source.boundaries(), silhouettes), true);
+  if (params.silhouette == SilhouetteKind::smooth) {
+    std::vector<uint32_t> parted;
+    std::copy_if(silhouettes.begin(), silhouettes.end(), std::back_inserter(parted),
+                 [&](uint32_t edge) { return source.is_parted(edge); });
+    lines.add(CurveClass::silhouette, parted, true);
+    lines.add(CurveClass::silhouette, without(silhouettes, parted), true, false);
+  } else {
+    lines.add(CurveClass::silhouette, silhouettes, true, params.silhouette == SilhouetteKind::mesh);
+  }
+  lines.add(CurveClass::boundary, without(source.boundaries(), silhouettes), true, params.boundary);
   if (params.crease) lines.add(CurveClass::crease, without(source.creases(), silhouettes), false);
   return lines.take();
+}
+
+std::vector<ViewLine> smooth_silhouette_lines(const CurveModel& model, int index, const CurveView& view) {
+  const CurveSource& source = *model.source;
+  const glm::dmat3 unstretch = glm::inverse(source.stretch());
+  std::vector<ViewLine> lines;
+  for (const FaceLine& found :
+       source.smooth_silhouettes().find(*source.surface(), viewpoint_in(model, view).in(source.stretch()))) {
+    ViewLine line;
+    line.line_class = CurveClass::silhouette;
+    line.model = index;
+    line.follows = true;
+    line.is_closed = found.points.size() > 2 && found.points.front() == found.points.back();
+    for (size_t i = 0; i < found.points.size(); ++i) {
+      LinePoint added;
+      added.world = in_world(model, unstretch * found.points[i]);
+      added.place = place_of(model, PlaceKind::edge, found.crossings[i]);
+      line.points.push_back(added);
+    }
+    line.steps.resize(found.faces.size());
+    lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 std::vector<ViewLine> cut_lines(std::span<const CurveModel> models, const ModelCuts& cuts) {

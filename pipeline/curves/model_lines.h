@@ -26,9 +26,12 @@ struct PiercedEdge {
 std::vector<PiercedEdge> pierced_edges(std::span<const CurveModel> models, std::span<const ModelCuts> cuts,
                                        int model);
 
-/// Silhouettes (whatever `params` say, since they cover), boundaries and creases.
+/// Silhouettes and boundaries (whatever `params` say, since they cover) and creases.
 std::vector<ViewLine> mesh_edge_lines(const CurveModel& model, int index, const CurveView& view,
                                       const CurvesParams& params, std::span<const PiercedEdge> pierced);
+
+/// Silhouettes of the smooth surface, which follow the mesh's.
+std::vector<ViewLine> smooth_silhouette_lines(const CurveModel& model, int index, const CurveView& view);
 
 /// Cuts of two models or, where both are one, of one with itself.
 std::vector<ViewLine> cut_lines(std::span<const CurveModel> models, const ModelCuts& cuts);

@@ -64,6 +64,8 @@ class Clipper {
     part.line_class = line_.line_class;
     part.model = line_.model;
     part.covers = line_.covers;
+    part.follows = line_.follows;
+    part.is_drawn = line_.is_drawn;
     part.start = share > 0.0 ? CurveEnd::frame : CurveEnd::free;
     parts_.push_back(std::move(part));
     add(step, from, to, share);

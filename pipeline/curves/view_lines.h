@@ -36,6 +36,8 @@ struct ViewLine {
   CurveClass line_class = CurveClass::silhouette;
   int model = 0;           ///< Its place in the list of models.
   bool covers = false;     ///< Surfaces end at it as the eye sees them, so that it may cover others.
+  bool follows = false;    ///< It takes what covers the nearest line that covers.
+  bool is_drawn = true;    ///< Else it only covers.
   bool is_closed = false;  ///< Then the last point is the first again.
   CurveEnd start = CurveEnd::free, end = CurveEnd::free;
   std::vector<LinePoint> points;
