@@ -14,6 +14,8 @@ namespace {
 
 constexpr size_t kMostRays = 9;
 constexpr double kPxPerRay = 6.0;
+/// One ray is enough for what is shorter: whatever it says, nobody sees it.
+constexpr double kOneRayPx = 1.0;
 /// How far beside an outline one looks for what lies behind it.
 constexpr double kBesidePx = 1.0;
 
@@ -43,7 +45,7 @@ Sample sample_on(const ViewLine& line, uint32_t step, double along) {
 /// In the middles of equal shares of the part's length.
 std::vector<Sample> samples_of(const ViewEdge& edge, const ViewLine& line) {
   const auto wanted = static_cast<size_t>(edge.length_px / kPxPerRay);
-  const size_t count = std::clamp<size_t>(wanted | 1U, 3, kMostRays);
+  const size_t count = edge.length_px < kOneRayPx ? 1 : std::clamp<size_t>(wanted | 1U, 3, kMostRays);
   std::vector<Sample> samples;
   double before = 0.0;
   uint32_t step = edge.from;
@@ -114,7 +116,7 @@ void decide(ViewEdge& edge, const ViewLine& line, const Covering& covering) {
       median_vote(samples.size(), [&](size_t i) { return covering.surfaces_before(samples[i].world); });
   if (edge.covered > 0 || !line.covers) return;
   const std::array<size_t, 3> places{samples.size() / 2, 0, samples.size() - 1};
-  edge.behind = static_cast<Behind>(median_vote(places.size(), [&](size_t i) {
+  edge.behind = static_cast<Behind>(median_vote(std::min(samples.size(), places.size()), [&](size_t i) {
     return static_cast<int>(behind_at(samples[places[i]], line, covering));
   }));
 }

@@ -12,6 +12,8 @@ namespace {
 constexpr double kCellPx = 8.0;
 /// What rounding may add to a nearness, as a share of it: what touches is as near.
 constexpr double kAsNear = 1e-7;
+/// Less of a share than this is the outline's own running to and fro.
+constexpr double kApart = 2e-3;
 
 /// A step of a line.
 struct Step {
@@ -60,11 +62,11 @@ class CellGrid {
     };
     const size_t first_row = clamped(cell_of(top.y - kThick), rows_);
     const size_t last_row = clamped(cell_of(bottom.y + kThick), rows_);
-    const double slope = bottom.y > top.y ? (bottom.x - top.x) / (bottom.y - top.y) : 0.0;
+    const double slope = top.y < bottom.y ? (bottom.x - top.x) / (bottom.y - top.y) : 0.0;
     for (size_t row = first_row; row <= last_row; ++row) {
       double left = std::min(a.x, b.x);
       double right = std::max(a.x, b.x);
-      if (first_row != last_row) {
+      if (top.y < bottom.y) {
         const double row_top = static_cast<double>(row) * kCellPx - kCurveMarginPx - kThick;
         const double x0 = top.x + slope * (std::clamp(row_top, top.y, bottom.y) - top.y);
         const double x1 =
@@ -169,7 +171,10 @@ class Splitter {
     if (!meeting) return;
     const double own = glm::mix(from(step).pixel.z, to(step).pixel.z, meeting->along);
     const double its = glm::mix(from(other).pixel.z, to(other).pixel.z, meeting->other_along);
-    if (its < own - kAsNear * std::abs(own)) return;
+    const bool is_farther = its < own - kAsNear * std::abs(own);
+    // Behind an outline something else is seen from where a farther one passes it.
+    const bool shows = lines_[step.line].covers && its < own - kApart * std::abs(own);
+    if (is_farther && !shows) return;
     if (meeting->along <= 0.0 || meeting->along >= 1.0) {
       mark(step, meeting->along <= 0.0 ? 0 : 1, CurveEnd::crossing);
     } else {
