@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "pipeline/passes/curves/curves.h"
+#include "pipeline/passes/curves/object_curves_pass.h"
+#include "pipeline/passes/curves/traced_curves.h"
 #include "pipeline/passes/edges/combine.h"
 #include "pipeline/passes/edges/decaudin.h"
 #include "pipeline/passes/edges/decaudin_gradient.h"
@@ -79,13 +81,13 @@ std::vector<const PassKind*>& list() {
       // light
       &ShadePass::kind(), &BlinnPhong::kind(),
       // curves and strokes
-      &ReferencePass::kind(), &CurvesPass::kind(), &CurveLinesPass::kind(), &CurvePaint::kind(), &CurveColours::kind(),
+      &ObjectCurvesPass::kind(), &TracedCurvesPass::kind(), &CurvesPass::kind(), &CurveLinesPass::kind(), &CurvePaint::kind(), &CurveColours::kind(),
       &StrokesPass::kind(), &StrokePaint::kind(), &StrokeInkPass::kind(), &StrokeColours::kind(),
       // what is drawn over the shading
       &BothInksPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
       &InkPass::kind(), &BelowStrokes::kind(), &StrokesOverPass::kind(), &FinalImage::kind(),
       // beside the chain
-      &MotionPass::kind(),
+      &ReferencePass::kind(), &MotionPass::kind(),
   };
   // clang-format on
   return passes;

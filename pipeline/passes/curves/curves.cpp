@@ -1,39 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/passes/curves/curves.h"
 
-#include <algorithm>
+#include <cassert>
 
+#include "pipeline/curves/unexplained.h"
 #include "pipeline/flow/describe_pass.h"
-#include "pipeline/passes/lines/reference.h"
+#include "pipeline/passes/curves/object_curves_pass.h"
+#include "pipeline/passes/curves/traced_curves.h"
 
 namespace inkbench {
 namespace {
 
-CurveClass curve_class_of(LineClass line_class) {
-  const auto found = std::find(kCurveClassNames.begin(), kCurveClassNames.end(), name_of(line_class));
-  return static_cast<CurveClass>(found - kCurveClassNames.begin());
+bool from_objects(const Settings& settings) {
+  return settings.curves.from != CurvesFrom::image;
+}
+bool from_image(const Settings& settings) {
+  return settings.curves.from != CurvesFrom::object;
 }
 
 }  // namespace
 
 const PassKind& CurvesPass::kind() {
-  static const PassKind kKind = describe_pass<CurvesPass>("curves", 1, {}, value_of<ReferencePass>());
+  static const PassKind kKind =
+      describe_pass<CurvesPass>("curves", 1, {}, value_when<ObjectCurvesPass, from_objects>(),
+                                value_when<TracedCurvesPass, from_image>());
   return kKind;
 }
 
-Curves CurvesPass::run(const ReferenceLines& lines) const {
-  Curves curves{lines.width_px, lines.height_px, {}, {}};
-  for (const Polyline& line : lines.polylines) {
-    if (line.line_class == LineClass::object) continue;  // steps between pixels
-    Curve curve{.curve_class = curve_class_of(line.line_class),
-                .object_id = line.object_id,
-                .chain = static_cast<uint32_t>(curves.curves.size()),
-                .points = line.points};
-    if (curve.is_closed()) curve.start = curve.end = CurveEnd::closed;
-    curve.depths.assign(curve.points.size(), 0.0F);
-    curve.places.assign(curve.points.size(), 0);
-    curves.curves.push_back(std::move(curve));
+Curves CurvesPass::run(const Curves* of_objects, const Curves* traced) const {
+  assert(of_objects != nullptr || traced != nullptr);
+  if (of_objects == nullptr) return *traced;
+  Curves curves = *of_objects;
+  if (traced == nullptr) return curves;
+  const uint32_t first = curves.curves.empty() ? 0 : curves.curves.back().chain + 1;
+  for (const Curve& curve : unexplained(*traced, *of_objects)) {
+    curves.curves.push_back(curve);
+    curves.curves.back().chain += first;
   }
+  curves.notes.insert(curves.notes.end(), traced->notes.begin(), traced->notes.end());
   return curves;
 }
 

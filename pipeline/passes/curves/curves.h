@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The curves of a view, as a pass.
+// The curves of a view by `curves.from`: those of the meshes, those traced in the drawn lines, or both.
 #pragma once
 
 #include "pipeline/curves/curve.h"
 #include "pipeline/flow/flow.h"
-#include "pipeline/lines/reference_lines.h"
 
 namespace inkbench {
 
@@ -12,8 +11,9 @@ class CurvesPass {
  public:
   using Value = Curves;
   static const PassKind& kind();
-  /// The visible lines of the meshes, without what hides or carries them.
-  Curves run(const ReferenceLines& lines) const;
+  /// Null: not asked for. Of both, traced ones come last, in chains of their own, without what runs along a
+  /// visible curve of a mesh.
+  Curves run(const Curves* of_objects, const Curves* traced) const;
 };
 
 }  // namespace inkbench
