@@ -7,7 +7,7 @@
 namespace inkbench {
 namespace {
 
-constexpr uint32_t kLeafSize = 4;
+constexpr uint32_t kLeafSize = 2;
 constexpr int kBins = 16;
 /// From here on nodes are cut in halves, so that no tree is deeper than a walk's stack.
 constexpr size_t kDepthOfHalving = BoxTree::kMaxDepth / 2;

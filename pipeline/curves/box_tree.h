@@ -45,7 +45,7 @@ class BoxTree {
 
   BoxTree() = default;
   /// Split along the centres' longest side where the sum of the surfaces times the items in them is smallest
-  /// (binned), into leaves of 4 items at most. Time n log n; the same boxes give the same tree.
+  /// (binned), into leaves of 2 items at most. Time n log n; the same boxes give the same tree.
   explicit BoxTree(std::span<const Box> boxes);
 
   /// Empty for no items. Children stand after their parents.
