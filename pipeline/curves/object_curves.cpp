@@ -23,7 +23,7 @@ std::vector<ViewLine> world_lines(std::span<const CurveModel> models, std::span<
   for (size_t i = 0; i < models.size(); ++i) {
     const auto index = static_cast<int>(i);
     add(mesh_edge_lines(models[i], index, view, params, pierced_edges(models, cuts, index)));
-    if (params.silhouette == SilhouetteKind::smooth) add(smooth_silhouette_lines(models[i], index, view));
+    add(surface_lines(models[i], index, view, params));
   }
   for (const ModelCuts& cut : cuts) add(cut_lines(models, cut));
   std::stable_sort(lines.begin(), lines.end(),
