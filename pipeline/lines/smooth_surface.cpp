@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 
+#include "pipeline/lines/face_shape.h"
 #include "pipeline/lines/mesh_lines.h"
 #include "pipeline/mesh/triangle_edges.h"
 
@@ -78,20 +79,20 @@ void number_crossings(const MeshTopology& topology, SmoothSurface& surface) {
   }
 }
 
-// ---- Normals and curvature, not smoothed.
-
-struct FaceShape {
-  std::array<glm::dvec3, 3> edges;  ///< From corner i to corner i + 1.
-  glm::dvec3 normal;                ///< Twice the area long.
-};
-
-FaceShape shape_of(const SmoothSurface& surface, const Face& face) {
-  FaceShape shape{};
-  for (size_t i = 0; i < 3; ++i)
-    shape.edges[i] = surface.positions[face[(i + 1) % 3]] - surface.positions[face[i]];
-  shape.normal = glm::cross(shape.edges[0], shape.edges[1]);
-  return shape;
+void collect_point_faces(SmoothSurface& surface) {
+  surface.face_starts.assign(surface.positions.size() + 1, 0);
+  for (const Face& face : surface.faces) {
+    for (const uint32_t point : face) ++surface.face_starts[point + 1];
+  }
+  std::partial_sum(surface.face_starts.begin(), surface.face_starts.end(), surface.face_starts.begin());
+  std::vector<uint32_t> filled(surface.face_starts.begin(), surface.face_starts.end() - 1);
+  surface.point_faces.resize(3 * surface.faces.size());
+  for (uint32_t f = 0; f < surface.faces.size(); ++f) {
+    for (const uint32_t point : surface.faces[f]) surface.point_faces[filled[point]++] = f;
+  }
 }
+
+// ---- Normals and curvature, not smoothed.
 
 glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& otherwise) {
   const double length = glm::length(vector);
@@ -303,6 +304,7 @@ SmoothSurface make_smooth_surface(const MeshTopology& topology, double crease_an
   const std::vector<uint8_t> smooth = smooth_edges(topology, crease_angle_deg, stretch);
   split_into_parts(topology, smooth, stretch, surface);
   number_crossings(topology, surface);
+  collect_point_faces(surface);
   surface.radius = half_diagonal(surface.positions);
   find_normals(surface);
   surface.point_normals = surface.normals;
@@ -311,36 +313,6 @@ SmoothSurface make_smooth_surface(const MeshTopology& topology, double crease_an
   find_curvature(surface);
   smooth_curvature(surface, averaging, steps_for(smoothing));
   return surface;
-}
-
-glm::dvec3 gradient_on_face(const SmoothSurface& surface, uint32_t face, const glm::dvec3& scalar) {
-  const FaceShape shape = shape_of(surface, surface.faces[face]);
-  const double squared = glm::dot(shape.normal, shape.normal);
-  if (!(squared > 0.0)) return glm::dvec3(0.0);
-  const glm::dvec3 along =
-      scalar[0] * shape.edges[1] + scalar[1] * shape.edges[2] + scalar[2] * shape.edges[0];
-  return glm::cross(shape.normal, along) / squared;
-}
-
-std::vector<glm::dvec3> gradient_at_points(const SmoothSurface& surface, const std::vector<double>& scalar) {
-  std::vector<glm::dvec3> gradients(surface.positions.size(), glm::dvec3(0.0));
-  std::vector<double> areas(surface.positions.size(), 0.0);
-  for (uint32_t f = 0; f < surface.faces.size(); ++f) {
-    const Face& face = surface.faces[f];
-    const FaceShape shape = shape_of(surface, face);
-    const double area = glm::length(shape.normal);
-    if (!(area > 0.0)) continue;
-    const glm::dvec3 along = scalar[face[0]] * shape.edges[1] + scalar[face[1]] * shape.edges[2] +
-                             scalar[face[2]] * shape.edges[0];
-    const glm::dvec3 weighted = glm::cross(shape.normal, along) / area;
-    for (const uint32_t point : face) {
-      gradients[point] += weighted;
-      areas[point] += area;
-    }
-  }
-  for (size_t point = 0; point < areas.size(); ++point)
-    gradients[point] /= areas[point] > 0.0 ? areas[point] : 1.0;
-  return gradients;
 }
 
 }  // namespace inkbench
