@@ -224,9 +224,8 @@ const Description& StrokeClassParams::description() {
           colour_field<&StrokeClassParams::colour>(
               {.name = "colour",
                .help = "Their colour, in the buffer curves and where strokes are coloured by class."}),
-          field<&StrokeClassParams::opacity>({.name = "opacity",
-                                              .help = "Times stroke.opacity.",
-                                              .limits = {0, 1}}),
+          field<&StrokeClassParams::opacity>(
+              {.name = "opacity", .help = "Times stroke.opacity.", .limits = {0, 1}}),
       },
       ""};
   return kDescription;
