@@ -4,6 +4,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/workbench/painted_marks.h"
 #include "pipeline/buffers.h"
@@ -56,6 +58,7 @@ struct ViewState {
   bool wireframe = false;                      ///< The meshes' edges over the pictures.
   bool camera_moving = false;                  ///< The mouse drags the camera.
   std::optional<HoveredPixel> hovered;
+  std::vector<std::string> curve_words;  ///< What is said of the curve under the mouse; empty without one.
   std::optional<MarkedPixel> marked_before;  ///< What a second click brings back.
   std::optional<MarkedPixel> marked;         ///< Asked why it is as it is; shown on all pictures.
   bool edits_ramps = false;                  ///< The ramp editor is open, in the place of timings and log.

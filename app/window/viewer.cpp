@@ -5,6 +5,7 @@
 
 #include "app/window/listed_buffers.h"
 #include "pipeline/base/error.h"
+#include "pipeline/passes/curves/curves.h"
 #include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
@@ -94,6 +95,14 @@ const Explanation& Viewer::explain_pinned(int x, int y) {
   explanation_ = explain_pixel(maps, x, y);
   explained_ = key;
   return explanation_;
+}
+
+const Curves& Viewer::curves() {
+  const Key key = drawn_->key_of<CurvesPass>();
+  if (curves_ && curves_key_ == key) return *curves_;
+  curves_ = drawn_->value<CurvesPass>();
+  curves_key_ = key;
+  return *curves_;
 }
 
 void Viewer::pin() {
