@@ -8,8 +8,9 @@
 namespace inkbench {
 namespace {
 
-/// "apparent ridge" for `apparent_ridge`.
+/// "apparent ridge" for `apparent_ridge`; the name of the class `object` says too little.
 std::string plain_name(CurveClass curve_class) {
+  if (curve_class == CurveClass::object) return "object outline";
   std::string name(name_of(curve_class));
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
