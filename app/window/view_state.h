@@ -43,6 +43,9 @@ struct MarkedPixel {
 /// What dragging on a picture does.
 enum class MouseTool { view, camera, mark };
 
+/// What is edited in the place of timings and log.
+enum class OpenEditor { none, ramps, style };
+
 struct ViewState {
   double zoom = 1.0;                      ///< 1 fits the picture into its tile.
   double centre_x = 0.5, centre_y = 0.5;  ///< The picture's point in the tile's middle, as shares, y down.
@@ -61,8 +64,10 @@ struct ViewState {
   std::vector<std::string> curve_words;  ///< What is said of the curve under the mouse; empty without one.
   std::optional<MarkedPixel> marked_before;  ///< What a second click brings back.
   std::optional<MarkedPixel> marked;         ///< Asked why it is as it is; shown on all pictures.
-  bool edits_ramps = false;                  ///< The ramp editor is open, in the place of timings and log.
+  OpenEditor editor = OpenEditor::none;
 
+  /// Closes the one that is open.
+  void toggle(OpenEditor which) { editor = editor == which ? OpenEditor::none : which; }
   void fit() {
     zoom = 1.0;
     centre_x = centre_y = 0.5;
