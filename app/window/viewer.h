@@ -82,6 +82,7 @@ class Viewer {
   };
   Key state_to_draw(const Settings& settings) const;
   void update_target();
+  Frame next_frame();
   void draw(const Frame& frame);
   void fail(const Key& state, const std::string& why);
   const WayBack& way_back();
@@ -97,6 +98,7 @@ class Viewer {
     long revision = -1, files_revision = -1;
     Key state;
     std::optional<Frame> frame;
+    bool has_past = false;  ///< `frame` goes on from the one before it.
   } target_;
   std::optional<Frame> drawn_;         ///< Of the pictures that are shown.
   std::optional<Settings> last_good_;  ///< That gave pictures.

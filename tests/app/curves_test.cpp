@@ -49,6 +49,23 @@ TEST_F(AppCurves, final_has_curves_under_the_mouse_only_where_strokes_are_drawn)
   EXPECT_TRUE(filter["view"]["curve"].empty());
 }
 
+TEST_F(AppCurves, strokes_go_on_with_their_paint_while_the_camera_turns_and_are_those_of_files_at_rest) {
+  open();
+  fill_with("strokes");
+  keys("o");
+  const Place from = place("tile:strokes", 0.4), to = place("tile:strokes", 0.5);
+  press_and_move(from, to);
+  const std::string turning = settled()["pictures"]["strokes"];
+  release();
+  const std::string rest = settled()["pictures"]["strokes"];
+  EXPECT_NE(turning, rest);
+  keys("ctrl+z");
+  const Json undone = wait_for("undo", [&](const Json& now) { return now["pictures"]["strokes"] != rest; });
+  EXPECT_EQ(undone["position"], 0);
+  keys("ctrl+y");
+  wait_for("the same", [&](const Json& now) { return now["pictures"]["strokes"] == rest; });
+}
+
 class AppStyles : public AppTest {
  protected:
   const std::string key_ = "stroke.profile";
