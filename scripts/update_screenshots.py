@@ -183,7 +183,7 @@ def curve(window):
     across = 0.4
     while not window.state()["view"]["curve"]:
         across += 0.004
-        window.move("tile:curves", across, 0.62)
+        window.move("tile:curves", across, 0.3)
     window.save("curve")
 
 
@@ -224,8 +224,8 @@ def study(window):
     window.save("study")
 
 
-SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "fit": fit, "marks": marks, "ramps": ramps, "curve": curve, "style": style, "polygons": polygons,
-         "study": study}
+SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "fit": fit, "marks": marks, "ramps": ramps, "curve": curve, "style": style,
+         "polygons": polygons, "study": study}
 
 
 def main():

@@ -9,6 +9,7 @@
 #include "pipeline/passes/strokes/stroke_colours.h"
 #include "pipeline/passes/strokes/stroke_draw.h"
 #include "pipeline/passes/strokes/stroke_ink.h"
+#include "pipeline/passes/strokes/stroke_tiles.h"
 #include "pipeline/passes/strokes/strokes.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/strokes/carry_along.h"
@@ -189,6 +190,13 @@ TEST(StrokesDrawn, paint_is_picked_by_where_the_nearest_part_of_the_stroke_is) {
   EXPECT_LT(once.at(50, 20, 0), 0.01F);
 }
 
+/// Of an image of one tile, which has strokes.
+Image marked_tile() {
+  Image tile(1, 1, 1);
+  tile.at(0, 0) = 1.0F;
+  return tile;
+}
+
 /// Colours of channels that one pixel has, by class.
 glm::vec4 colour_of(const StrokeLook& look, const std::vector<std::pair<CurveClass, float>>& shares) {
   StrokeChannels channels;
@@ -199,6 +207,7 @@ glm::vec4 colour_of(const StrokeLook& look, const std::vector<std::pair<CurveCla
     }
     channels.classes[i] = to_texture(image);
   }
+  channels.tiles = to_texture(marked_tile());
   const Image colours = StrokeColoursPass(generated_sources()).run(look, channels).read(0, 4);
   return {colours.at(0, 0, 0), colours.at(0, 0, 1), colours.at(0, 0, 2), colours.at(0, 0, 3)};
 }
@@ -240,6 +249,7 @@ TEST(StrokeInk, is_the_largest_coverage_and_its_class) {
   first.at(0, 0, 0) = 0.3F;
   first.at(0, 0, 3) = 0.8F;
   channels.classes[0] = to_texture(first);
+  channels.tiles = to_texture(marked_tile());
   const Image ink = StrokeInkPass(generated_sources()).run(channels).read(0, 2);
   EXPECT_NEAR(ink.at(0, 0, 0), 0.8F, 0.003F);
   EXPECT_EQ(std::lround(ink.at(0, 0, 1) * 255.0F), static_cast<int>(EdgeClass::crease));
@@ -372,6 +382,26 @@ TEST(InkFrom, paint_goes_on_from_a_frame_that_forgot_its_own_past) {
   ASSERT_EQ(cut->courses.size(), whole->courses.size());
   for (size_t i = 0; i < cut->courses.size(); ++i)
     EXPECT_EQ(cut->courses[i].places, whole->courses[i].places) << i;
+}
+
+TEST(StrokeTiles, have_every_painted_pixel_of_any_part_of_the_image_and_not_the_whole_of_it) {
+  const Strokes strokes = *Pipeline().at(stroked_scene(InkFrom::strokes)).value<StrokesPass>();
+  const int whole_width = strokes.width_px, whole_height = strokes.height_px;
+  for (const ImageWindow& window :
+       {window_of(whole_width, whole_height),
+        ImageWindow{13, 9, whole_width - 30, whole_height - 21, whole_width, whole_height, std::nullopt}}) {
+    const Image tiles = stroke_tiles(strokes, window);
+    const Image drawn = drawn_channels(strokes, {}, window);
+    double empty = 0;
+    for (const float tile : tiles.samples) empty += 1.0 - tile;
+    EXPECT_GT(empty, 0.2 * static_cast<double>(tiles.samples.size()));
+    for (int y = 0; y < drawn.height_px; ++y) {
+      const int row = tiles.height_px - 1 - (drawn.height_px - 1 - y) / 8;
+      for (int x = 0; x < drawn.width_px; ++x)
+        for (int c = 0; c < 12; ++c)
+          ASSERT_TRUE(drawn.at(x, y, c) == 0.0F || tiles.at(x / 8, row) == 1.0F) << x << ", " << y;
+    }
+  }
 }
 
 TEST(StrokesDrawn, without_strokes_nothing_is_drawn) {

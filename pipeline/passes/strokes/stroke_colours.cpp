@@ -7,6 +7,7 @@
 #include "pipeline/passes/edges/detection_pass.h"
 #include "pipeline/passes/gbuffer/albedo.h"
 #include "pipeline/passes/light/shade.h"
+#include "pipeline/passes/placing/tiles.h"
 #include "pipeline/passes/strokes/stroke_paint.h"
 
 namespace inkbench {
@@ -85,29 +86,32 @@ const PassKind& StrokeColours::kind() {
 }
 
 StrokeColoursPass::StrokeColoursPass(const GeneratedSources& generated)
-    : own_("full_screen.vert", "stroke_colours.frag",
-           {.samplers = {"first_classes", "next_classes", "last_classes"},
-            .uniform_blocks = {kStrokeLookBlock}},
+    : own_("tiles.vert", "stroke_colours.frag",
+           {.samplers = {"first_classes", "next_classes", "last_classes", "tile_map"},
+            .uniform_blocks = {kStrokeLookBlock, kSquaresBlock}},
            generated),
-      of_surface_("full_screen.vert", "stroke_colours_of_surface.frag",
+      of_surface_("tiles.vert", "stroke_colours_of_surface.frag",
                   {.samplers = {"first_classes", "next_classes", "last_classes", "colour_map",
-                                "normal_and_depth_map", "object_id_map"},
-                   .uniform_blocks = {kStrokeLookBlock}},
+                                "normal_and_depth_map", "object_id_map", "tile_map"},
+                   .uniform_blocks = {kStrokeLookBlock, kSquaresBlock}},
                   generated) {}
 
 Texture StrokeColoursPass::run(const StrokeLook& look, const StrokeChannels& channels, const Texture* albedo,
                                const Texture* shaded, const GBuffer* gbuffer) const {
   const auto& [first, next, last] = channels.classes;
   Texture colours("stroke colours", TextureFormat::rgba32f, first.width_px(), first.height_px());
+  constexpr glm::vec4 kNoStroke(1.0F, 1.0F, 1.0F, 0.0F);
   StrokeLookBlock block = block_of(look);
   block.reach_px = std::clamp(0.5F * channels.widest_px + 1.0F, 4.0F, static_cast<float>(kMostColourReachPx));
   const Buffer uniforms = uniform_buffer("stroke look block", block);
   const Texture* surface = albedo != nullptr ? albedo : shaded;
   if (surface == nullptr || gbuffer == nullptr)
-    draw_over(colours, own_, {&first, &next, &last}, {&uniforms});
+    draw_over_tiles(colours, own_, 0, {&first, &next, &last, &channels.tiles}, {&uniforms}, kNoStroke);
   else
-    draw_over(colours, of_surface_,
-              {&first, &next, &last, surface, &gbuffer->normal_and_depth, &gbuffer->object_id}, {&uniforms});
+    draw_over_tiles(
+        colours, of_surface_, 0,
+        {&first, &next, &last, surface, &gbuffer->normal_and_depth, &gbuffer->object_id, &channels.tiles},
+        {&uniforms}, kNoStroke);
   return colours;
 }
 
