@@ -180,10 +180,10 @@ def ramps(window):
 def curve(window):
     """The curve under the mouse, with what it is."""
     window.input("mousemove", *window.place("tile:curves"), "click", "--repeat", 2, "--delay", 60, 1)
-    across = 0.4
-    while not window.state()["view"]["curve"]:
+    across = 0.55
+    while not window.state()["view"]["curve"] and across < 0.7:
         across += 0.004
-        window.move("tile:curves", across, 0.3)
+        window.move("tile:curves", across, 0.45)
     window.save("curve")
 
 
