@@ -90,9 +90,9 @@ void draw_words(const std::vector<std::string>& words, const std::vector<ImVec2>
   ImGui::EndTooltip();
 }
 
-std::string_view object_name(const Settings& settings, int object_id) {
+std::string object_name(const Settings& settings, int object_id) {
   const auto place = static_cast<size_t>(object_id) - 1;
-  return object_id > 0 && place < settings.models.size() ? settings.models[place].name : "";
+  return object_id > 0 && place < settings.models.size() ? settings.models[place].name : std::string();
 }
 
 }  // namespace
