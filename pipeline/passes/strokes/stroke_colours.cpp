@@ -27,6 +27,10 @@ struct StrokeLookBlock {
 };
 const UniformBlock kStrokeLookBlock{"stroke_look_block", sizeof(StrokeLookBlock)};
 
+const ProgramInputs kInputs{.samplers = {"first_classes", "next_classes", "last_classes", "colour_map",
+                                         "normal_and_depth_map", "object_id_map"},
+                            .uniform_blocks = {kStrokeLookBlock}};
+
 StrokeLookBlock block_of(const StrokeLook& look) {
   StrokeLookBlock block{};
   for (size_t i = 0; i < kCurveClasses; ++i) {
@@ -85,15 +89,9 @@ const PassKind& StrokeColours::kind() {
 }
 
 StrokeColoursPass::StrokeColoursPass(const GeneratedSources& generated)
-    : own_("full_screen.vert", "stroke_colours.frag",
-           {.samplers = {"first_classes", "next_classes", "last_classes"},
-            .uniform_blocks = {kStrokeLookBlock}},
-           generated),
-      of_surface_("full_screen.vert", "stroke_colours_of_surface.frag",
-                  {.samplers = {"first_classes", "next_classes", "last_classes", "colour_map",
-                                "normal_and_depth_map", "object_id_map"},
-                   .uniform_blocks = {kStrokeLookBlock}},
-                  generated) {}
+    : in_one_("full_screen.vert", "stroke_colours.frag", kInputs, generated),
+      by_class_("full_screen.vert", "stroke_colours_by_class.frag", kInputs, generated),
+      of_surface_("full_screen.vert", "stroke_colours_of_surface.frag", kInputs, generated) {}
 
 Texture StrokeColoursPass::run(const StrokeLook& look, const StrokeChannels& channels, const Texture* albedo,
                                const Texture* shaded, const GBuffer* gbuffer) const {
@@ -104,7 +102,8 @@ Texture StrokeColoursPass::run(const StrokeLook& look, const StrokeChannels& cha
   const Buffer uniforms = uniform_buffer("stroke look block", block);
   const Texture* surface = albedo != nullptr ? albedo : shaded;
   if (surface == nullptr || gbuffer == nullptr)
-    draw_over(colours, own_, {&first, &next, &last}, {&uniforms});
+    draw_over(colours, look.colour == StrokeColour::by_class ? by_class_ : in_one_, {&first, &next, &last},
+              {&uniforms});
   else
     draw_over(colours, of_surface_,
               {&first, &next, &last, surface, &gbuffer->normal_and_depth, &gbuffer->object_id}, {&uniforms});

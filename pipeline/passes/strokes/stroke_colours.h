@@ -35,10 +35,10 @@ class StrokeColoursPass {
   Texture run(const StrokeLook& look, const StrokeChannels& channels) const {
     return run(look, channels, nullptr, nullptr, nullptr);
   }
-  std::vector<Program*> programs() { return {&own_, &of_surface_}; }
+  std::vector<Program*> programs() { return {&in_one_, &by_class_, &of_surface_}; }
 
  private:
-  Program own_, of_surface_;
+  Program in_one_, by_class_, of_surface_;
 };
 
 /// The strokes of the view.
