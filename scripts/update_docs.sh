@@ -16,6 +16,8 @@ for study in k_comparison buffers edge_quality_quick; do
   cp "$out/$study/grid.png" "docs/images/$study.png"
 done
 
+./run study studies/strokes_vs_filter.toml --out "$out/strokes_vs_filter" >/dev/null
+cp "$out/strokes_vs_filter/charts/flicker.png" docs/images/strokes_vs_filter_flicker.png
 ./run study studies/antialiasing.toml --out "$out/antialiasing" >/dev/null
 cells=("$out"/antialiasing/cells/00{01,03,05,07,09,02,04,06,08,10}_final.png)  # a row a method
 scripts/enlarge_crops.py docs/images/antialiasing.png 355 265 48 60 4 5 "${cells[@]}"
