@@ -44,6 +44,11 @@ for chart in three_f recall_by_class; do
   cp "$out/edge_quality_by_dihedral/charts/$chart.svg" "docs/images/edge_quality/${chart}_dihedral.svg"
 done
 
+./run study studies/styles.toml --out "$out/styles" >/dev/null
+cp "$out/styles/grid.png" docs/images/styles.png
+cells=("$out"/styles/cells/00{06,09,12,21}_final.png)  # ink brush, pencil, charcoal, marker
+scripts/enlarge_crops.py docs/images/brushes.png 395 35 120 90 4 2 "${cells[@]}"
+
 ./run tune studies/tuning/models_k.toml --out "$out/models_k" >/dev/null
 cp "$out/models_k/charts/box.svg" docs/images/tuning_models_k.svg
 

@@ -29,8 +29,9 @@ float bridge_cost(const PathEnd& a, const PathEnd& b, float longest_px) {
   return length + longest_px * (1.0F - agree);
 }
 
-/// From the end of the path to `to`, arriving in the direction `arriving`: a cubic, a point every pixel.
-void draw_over_gap(StrokePath& path, const PathPoint& to, const glm::vec2& arriving) {
+/// From the end of the path to `to`, which may be one of its own, arriving in the direction `arriving`: a
+/// cubic, a point every pixel.
+void draw_over_gap(StrokePath& path, PathPoint to, const glm::vec2& arriving) {
   const PathPoint from = path.points.back();
   const float length = glm::distance(from.at, to.at);
   const glm::vec2 leaving = end_of(path, 1).outwards;
