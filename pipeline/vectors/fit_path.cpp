@@ -155,4 +155,14 @@ CubicPath fit_path(std::span<const glm::vec2> points, const FitOptions& options)
   return fit_path(Points(points.begin(), points.end()), options);
 }
 
+std::vector<CubicPath> fit_outline(const Outline& outline, const FitOptions& options) {
+  std::vector<CubicPath> paths;
+  for (Ring ring : outline) {
+    ring.push_back(ring.front());
+    CubicPath path = fit_path(ring, options);
+    if (path.is_closed && path.pieces.size() > 1) paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
 }  // namespace inkbench

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "pipeline/vectors/cubic_path.h"
+#include "pipeline/vectors/outline.h"
 
 namespace inkbench {
 
@@ -20,5 +21,8 @@ struct FitOptions {
 /// unless that is a corner. Without pieces where all points are one. The same points give the same path.
 CubicPath fit_path(std::span<const glm::dvec2> points, const FitOptions& options);
 CubicPath fit_path(std::span<const glm::vec2> points, const FitOptions& options);
+
+/// A closed path for each ring; rings that come to nothing are left out.
+std::vector<CubicPath> fit_outline(const Outline& outline, const FitOptions& options);
 
 }  // namespace inkbench
