@@ -17,15 +17,21 @@ ClipperLib::Path on_grid(const Ring& ring) {
   return path;
 }
 
-Outline from_grid(const ClipperLib::Paths& paths) {
-  Outline outline;
-  for (const ClipperLib::Path& path : paths) {
-    Ring& ring = outline.emplace_back();
-    ring.reserve(path.size());
-    for (const ClipperLib::IntPoint& point : path)
-      ring.emplace_back(static_cast<double>(point.X) / kGrid, static_cast<double>(point.Y) / kGrid);
+Ring from_grid(const ClipperLib::Path& path) {
+  Ring ring;
+  ring.reserve(path.size());
+  for (const ClipperLib::IntPoint& point : path)
+    ring.emplace_back(static_cast<double>(point.X) / kGrid, static_cast<double>(point.Y) / kGrid);
+  return ring;
+}
+
+/// The outer rings below the node, each with its holes, and what lies in those.
+void append_outers(const ClipperLib::PolyNode& node, Outline& outline) {
+  for (const ClipperLib::PolyNode* outer : node.Childs) {
+    outline.push_back(from_grid(outer->Contour));
+    for (const ClipperLib::PolyNode* hole : outer->Childs) outline.push_back(from_grid(hole->Contour));
+    for (const ClipperLib::PolyNode* hole : outer->Childs) append_outers(*hole, outline);
   }
-  return outline;
 }
 
 void add(const std::vector<Ring>& rings, ClipperLib::PolyType type, ClipperLib::Clipper& clipper) {
@@ -33,9 +39,19 @@ void add(const std::vector<Ring>& rings, ClipperLib::PolyType type, ClipperLib::
 }
 
 Outline result_of(ClipperLib::Clipper& clipper, ClipperLib::ClipType type) {
-  ClipperLib::Paths paths;
-  clipper.Execute(type, paths, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return from_grid(paths);
+  ClipperLib::PolyTree tree;
+  clipper.Execute(type, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  Outline outline;
+  append_outers(tree, outline);
+  return outline;
+}
+
+/// Positive of outer rings, negative of holes.
+double signed_area(const Ring& ring) {
+  double twice = 0.0;
+  for (size_t i = 0, before = ring.size() - 1; i < ring.size(); before = i++)
+    twice += ring[before].x * ring[i].y - ring[i].x * ring[before].y;
+  return twice / 2.0;
 }
 
 }  // namespace
@@ -53,13 +69,19 @@ Outline without(const Outline& outline, const Outline& other) {
   return result_of(clipper, ClipperLib::ctDifference);
 }
 
-double area(const Outline& outline) {
-  double twice = 0.0;
+std::vector<Outline> parts_of(const Outline& outline) {
+  std::vector<Outline> parts;
   for (const Ring& ring : outline) {
-    for (size_t i = 0, before = ring.size() - 1; i < ring.size(); before = i++)
-      twice += ring[before].x * ring[i].y - ring[i].x * ring[before].y;
+    if (parts.empty() || signed_area(ring) > 0.0) parts.emplace_back();
+    parts.back().push_back(ring);
   }
-  return std::abs(twice) / 2.0;
+  return parts;
+}
+
+double area(const Outline& outline) {
+  double sum = 0.0;
+  for (const Ring& ring : outline) sum += signed_area(ring);
+  return sum;
 }
 
 }  // namespace inkbench

@@ -16,12 +16,15 @@ using Ring = std::vector<glm::dvec2>;
 using Outline = std::vector<Ring>;
 
 /// Round what lies in any of the rings, which all run in one direction or come from outlines: rings that
-/// neither cross themselves nor each other, in an order that the input's order decides. At most 60,000 units
-/// from 0.
+/// neither cross themselves nor each other, each outer one before its holes, in an order that the input's
+/// order decides. At most 60,000 units from 0.
 Outline united(const std::vector<Ring>& rings);
 
 /// Round what lies in the outline and not in the other one.
 Outline without(const Outline& outline, const Outline& other);
+
+/// Each part that hangs together, with its holes; of one that `united` or `without` gave.
+std::vector<Outline> parts_of(const Outline& outline);
 
 /// Of what lies in the outline, in square units; of one that `united` or `without` gave.
 double area(const Outline& outline);

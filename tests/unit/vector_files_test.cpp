@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Strokes and curves as SVG files: groups, opacity, what is hidden, where they came from.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pipeline/vectors/curves_svg.h"
+#include "pipeline/vectors/strokes_svg.h"
+#include "tests/unit/vector_support.h"
+
+namespace inkbench {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+VectorPage small_page() {
+  return {100, 80, {"rabbit", "box & co"}, {{"inkbench:settings", "a < b\n"}}};
+}
+
+Stroke of(Stroke stroke, CurveClass curve_class, int object_id, int covered = 0) {
+  for (StrokePoint& point : stroke.points) point.curve_class = curve_class;
+  stroke.object_id = object_id;
+  stroke.covered = covered;
+  return stroke;
+}
+
+Strokes few_strokes() {
+  return {100,
+          80,
+          {of(loop_stroke(), CurveClass::silhouette, 1),
+           of(stroke_through({{{5, 5}, 1.0F}, {{95, 5}, 1.0F}}), CurveClass::crease, 2),
+           of(stroke_through({{{5, 70}, 1.0F}, {{95, 70}, 1.0F}}), CurveClass::crease, 2, 1)}};
+}
+
+int count_of(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(StrokesSvg, class_and_object_are_groups_with_the_first_class_on_top) {
+  const std::string svg = strokes_svg(few_strokes(), {}, small_page());
+  const size_t crease = svg.find("<g id=\"crease\""), silhouette = svg.find("<g id=\"silhouette\"");
+  EXPECT_LT(crease, silhouette);
+  EXPECT_LT(crease, svg.find("<g id=\"crease-box___co\">"));
+  EXPECT_LT(silhouette, svg.find("<g id=\"silhouette-rabbit\">"));
+}
+
+TEST(StrokesSvg, hidden_strokes_are_a_group_only_where_asked_for) {
+  StrokeInk ink;
+  EXPECT_THAT(strokes_svg(few_strokes(), ink, small_page()), Not(HasSubstr("hidden-crease")));
+  ink.stroke.hidden = true;
+  ink.stroke.hidden_opacity = 0.25F;
+  const std::string svg = strokes_svg(few_strokes(), ink, small_page());
+  EXPECT_THAT(svg, HasSubstr("inkscape:label=\"hidden\" opacity=\".25\""));
+  EXPECT_LT(svg.find("<g id=\"hidden-crease-box___co\">"), svg.find("<g id=\"crease\""));
+}
+
+TEST(StrokesSvg, class_has_its_opacity_once_and_each_place_one_path) {
+  StrokeInk ink;
+  ink.classes[static_cast<size_t>(CurveClass::silhouette)].opacity = 0.5F;
+  Strokes strokes = few_strokes();
+  strokes.strokes.push_back(
+      of(stroke_through({{{0, 40}, 2.0F}, {{99, 40}, 2.0F}}), CurveClass::silhouette, 1));
+  const std::string svg = strokes_svg(strokes, ink, small_page());
+  EXPECT_EQ(count_of(svg, "opacity"), 1);
+  EXPECT_EQ(count_of(svg, "<path"), 2);
+}
+
+TEST(StrokesSvg, parts_that_do_not_touch_are_paths_of_their_own) {
+  Strokes strokes{100,
+                  80,
+                  {of(ring_stroke({40, 40}, 25), CurveClass::silhouette, 1),
+                   of(ring_stroke({40, 40}, 10), CurveClass::silhouette, 1)}};
+  const std::string svg = strokes_svg(strokes, {}, small_page());
+  EXPECT_EQ(count_of(svg, "<path"), 2);
+  EXPECT_EQ(count_of(svg, "M"), 4);  // each with its hole
+}
+
+TEST(StrokesSvg, stroke_through_two_classes_is_drawn_in_both) {
+  Strokes strokes{100, 80, {stroke_through({{{5, 5}, 1.0F}, {{50, 5}, 1.0F}, {{95, 5}, 1.0F}})}};
+  strokes.strokes[0].points[1].curve_class = CurveClass::crease;
+  const std::string svg = strokes_svg(strokes, {}, small_page());
+  EXPECT_THAT(svg, HasSubstr("<g id=\"silhouette\""));
+  EXPECT_THAT(svg, HasSubstr("<g id=\"crease\""));
+}
+
+TEST(StrokesSvg, says_that_it_cannot_hold_paint) {
+  StrokeInk ink;
+  EXPECT_THAT(strokes_svg(few_strokes(), ink, small_page()), Not(HasSubstr("<desc>")));
+  ink.stroke.brush = Brush::charcoal;
+  EXPECT_THAT(strokes_svg(few_strokes(), ink, small_page()), HasSubstr("stroke.brush = charcoal cannot"));
+}
+
+TEST(VectorFiles, carry_their_parameters_as_text) {
+  for (const std::string& svg : {strokes_svg(few_strokes(), {}, small_page()),
+                                 curves_svg({}, {}, default_stroke_classes(), small_page())})
+    EXPECT_THAT(svg, HasSubstr("<ink:text name=\"inkbench:settings\">a &lt; b\n</ink:text>"));
+}
+
+Curves few_curves() {
+  Curves curves{100, 80, {}, {}};
+  curves.curves.push_back(
+      {.curve_class = CurveClass::silhouette, .object_id = 1, .points = {{1, 1}, {9, 1}}});
+  curves.curves.push_back({.curve_class = CurveClass::crease, .points = {{1, 5}, {9, 5}, {9, 9}, {1, 5}}});
+  curves.curves.push_back(
+      {.curve_class = CurveClass::crease, .object_id = 2, .covered = 3, .points = {{1, 7}, {9, 7}}});
+  return curves;
+}
+
+TEST(CurvesSvg, curve_is_a_path_in_the_group_of_its_class_and_object) {
+  const std::string svg = curves_svg(few_curves(), {}, default_stroke_classes(), small_page());
+  EXPECT_THAT(svg, HasSubstr("<g id=\"silhouette-rabbit\">\n<path d=\"M1 1h8\"/>\n</g>"));
+  EXPECT_THAT(svg, HasSubstr("stroke=\"#0072b2\">\n<path d=\"M1 5h8v4z\"/>\n</g>"));  // of no object
+  EXPECT_THAT(svg, HasSubstr("stroke-width=\"1.5\""));
+}
+
+TEST(CurvesSvg, hidden_curves_are_dashed_and_say_what_covers_them_where_asked_for) {
+  StrokeParams stroke;
+  EXPECT_THAT(curves_svg(few_curves(), stroke, default_stroke_classes(), small_page()),
+              Not(HasSubstr("hidden")));
+  stroke.hidden = true;
+  const std::string svg = curves_svg(few_curves(), stroke, default_stroke_classes(), small_page());
+  EXPECT_THAT(svg, HasSubstr("opacity=\".6\" stroke-dasharray=\"6 4\""));
+  EXPECT_THAT(svg, HasSubstr("<g id=\"hidden-crease-box___co\">\n<path data-covered=\"3\" d=\"M1 7h8\"/>"));
+}
+
+}  // namespace
+}  // namespace inkbench
