@@ -14,7 +14,24 @@ struct StrokePoint {
   glm::vec2 at{0.0F};        ///< As `Curve::points`.
   float radius_px = 0.0F;    ///< Half the width; between points it is linear.
   float along_px = 0.0F;     ///< Where the paint is taken from: grows by what the stroke is long.
-  CurveClass curve_class{};  ///< A stroke may go on through several.
+  CurveClass curve_class{};  ///< Of what follows the point; a stroke may go on through several.
+};
+
+/// Where on a stroke something of a mesh lies (`Curve::places`).
+struct PlaceAlong {
+  uint64_t place = 0;
+  float along_px = 0.0F;
+
+  bool operator==(const PlaceAlong&) const = default;
+};
+
+/// A whole stroke, before it is drawn several times or cut into dashes: what the next frame takes its paint's
+/// places from (carry_along.h).
+struct StrokeCourse {
+  uint32_t number = 0;
+  bool is_closed = false;
+  float start_px = 0.0F, end_px = 0.0F;  ///< `along_px` of its ends.
+  std::vector<PlaceAlong> places;        ///< In the order of `along_px`.
 };
 
 /// All points whose distance from one of its points p(t) is at most r(t): the union of the discs along it, so
@@ -33,6 +50,7 @@ struct Stroke {
 struct Strokes {
   int width_px = 0, height_px = 0;
   std::vector<Stroke> strokes;  ///< In the order in which they are drawn.
+  std::vector<StrokeCourse> courses;
 };
 
 }  // namespace inkbench
