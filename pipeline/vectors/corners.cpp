@@ -27,16 +27,7 @@ glm::dvec2 Course::place(size_t from, double length) const {
 
 glm::dvec2 Course::direction(size_t point, double reach) const {
   const glm::dvec2 across = place(point, reach) - place(point, -reach);
-  return across == glm::dvec2(0.0) ? leaving(point, 1, reach) : glm::normalize(across);
-}
-
-glm::dvec2 Course::leaving(size_t point, int sign, double reach) const {
-  const glm::dvec2 here = points_[point];
-  const double left = is_closed_ ? length() / 2.0 : sign > 0 ? length() - along_[point] : along_[point];
-  const double step = std::min(reach, left / 2.0);
-  const glm::dvec2 near = place(point, sign * step) - here, far = place(point, sign * 2.0 * step) - here;
-  const glm::dvec2 slope = 4.0 * near - far;
-  return glm::normalize(glm::dot(slope, near) > 0.0 ? slope : near);
+  return glm::normalize(across == glm::dvec2(0.0) ? place(point, reach) - points_[point] : across);
 }
 
 double Course::turn_deg(size_t point, double reach) const {
@@ -62,6 +53,12 @@ std::vector<size_t> Course::corners(double corner_deg, double reach) const {
   std::vector<size_t> corners;
   for (const auto& [point, turn] : found) corners.push_back(point);
   return corners;
+}
+
+void begin_at(size_t point, std::vector<glm::dvec2>& closed) {
+  closed.pop_back();
+  std::rotate(closed.begin(), closed.begin() + static_cast<std::ptrdiff_t>(point), closed.end());
+  closed.push_back(closed.front());
 }
 
 }  // namespace inkbench

@@ -18,16 +18,15 @@ class Course {
   /// From the point of that number on, along by `length` (back where it is negative), at most to the ends.
   glm::dvec2 place(size_t from, double length) const;
 
-  /// The direction at a point: from `reach` before it to `reach` after it, a unit vector.
+  /// The direction at a point: from `reach` before it to `reach` after it, a unit vector. With ends, not at
+  /// them.
   glm::dvec2 direction(size_t point, double reach) const;
-  /// The direction in which it leaves the point forwards (`sign` 1) or backwards (-1), a unit vector: that of
-  /// the parabola through it and two places within twice the reach, where the ends are that far away.
-  glm::dvec2 leaving(size_t point, int sign, double reach) const;
 
   /// The points at which what lies within `reach` before and after turns by more than `corner_deg`, more than
   /// at any other point that near; in order, without the ends; the first point of a closed one, too.
   std::vector<size_t> corners(double corner_deg, double reach) const;
 
+  double between(size_t first, size_t last) const { return along_[last] - along_[first]; }
   double length() const { return along_.back(); }
 
  private:
@@ -37,5 +36,8 @@ class Course {
   bool is_closed_;
   std::vector<double> along_;
 };
+
+/// Makes a closed polyline begin (and end) at another of its points.
+void begin_at(size_t point, std::vector<glm::dvec2>& closed);
 
 }  // namespace inkbench

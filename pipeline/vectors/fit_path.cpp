@@ -24,7 +24,7 @@ Points without_repeated(std::span<const glm::dvec2> points) {
 /// Points between those that are far apart, so that what is fitted is the polyline and not its points: a
 /// curve of radius r strays from a step's chord by step^2 / 8 r.
 Points with_points_between(const Points& points, double error) {
-  const double step = std::clamp(4.0 * std::sqrt(error), 20.0 * error, 4.0);
+  const double step = 4.0 * std::sqrt(error);
   Points result{points.front()};
   for (size_t i = 1; i < points.size(); ++i) {
     const int parts =
@@ -69,16 +69,17 @@ class SectionFitter {
   }
 
  private:
-  /// The direction into the run that begins (`sign` 1) or ends (-1) there.
-  glm::dvec2 tangent(size_t point, int sign) const {
+  /// The direction into the run that begins (`sign` 1) or ends (-1) there; none at a corner.
+  std::optional<glm::dvec2> tangent(size_t point, int sign) const {
     const bool is_end = point == first_ || point == last_;
-    if (is_end && !is_round_) return course_.leaving(point, sign, options_.corner_reach);
-    return static_cast<double>(sign) * course_.direction(point, options_.corner_reach);
+    if (is_end && !is_round_) return std::nullopt;
+    const double reach = std::min(options_.corner_reach, course_.between(first_, last_) / 4.0);
+    return static_cast<double>(sign) * course_.direction(point, reach);
   }
 
   std::optional<PathPiece> piece(size_t from, size_t to) const {
     const auto run = points_.subspan(from, to - from + 1);
-    if (most_from_chord(run) <= (run.size() == 2 ? 1.0 : kStraight) * options_.error)
+    if (most_from_chord(run) <= options_.line_share * options_.error)
       return PathPiece{{}, {}, run.back(), true};
     const auto cubic = fit_cubic(run, tangent(from, 1), tangent(to, -1), options_.error);
     if (!cubic) return std::nullopt;
@@ -103,21 +104,12 @@ class SectionFitter {
     return {good, best};
   }
 
-  static constexpr double kStraight = 0.25;  ///< Of the error: what is that near to its chord is a line.
-
   std::span<const glm::dvec2> points_;
   const Course& course_;
   const FitOptions& options_;
   size_t first_ = 0, last_ = 0;
   bool is_round_ = false;
 };
-
-/// A closed polyline that begins at another of its points.
-void begin_at(size_t point, Points& points) {
-  points.pop_back();
-  std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(point), points.end());
-  points.push_back(points.front());
-}
 
 /// Where a closed path begins and ends, and each corner between.
 std::vector<size_t> section_ends(Points& points, bool is_closed, const FitOptions& options, bool& is_round) {
