@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "pipeline/passes/curves/curves.h"
+#include "pipeline/passes/curves/object_curves_pass.h"
+#include "pipeline/passes/curves/traced_curves.h"
 #include "pipeline/passes/edges/combine.h"
 #include "pipeline/passes/edges/decaudin.h"
 #include "pipeline/passes/edges/decaudin_gradient.h"
@@ -68,6 +71,8 @@ std::vector<const PassKind*>& list() {
       &LineTilesPass::kind(), &LineTiles::kind(), &LineBitsPass::kind(), &NarrowCoveragePass::kind(), &LineCoverage::kind(),
       &AliasedCoverage::kind(), &SampledCoverage::kind(),
       &PublishedLookPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
+      // lines as curves
+      &ObjectCurvesPass::kind(), &TracedCurvesPass::kind(), &CurvesPass::kind(),
       // light, and ink over it
       &ShadePass::kind(), &InkPass::kind(), &BlinnPhong::kind(),
       // beside the chain

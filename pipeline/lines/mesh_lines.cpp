@@ -12,14 +12,17 @@ namespace {
 
 using Uses = std::span<const MeshTopology::Use>;
 
-bool is_silhouette(Uses uses, const std::vector<int8_t>& facings) {
+/// `facing(face)` as `face_facing`.
+template <class Facing>
+bool is_silhouette(Uses uses, const Facing& facing) {
   int fronts = 0;
   int backs = 0;
   int balance = 0;
   for (const MeshTopology::Use& use : uses) {
-    fronts += facings[use.face] > 0 ? 1 : 0;
-    backs += facings[use.face] < 0 ? 1 : 0;
-    if (facings[use.face] > 0) balance += use.forward ? 1 : -1;
+    const int8_t towards = facing(use.face);
+    fronts += towards > 0 ? 1 : 0;
+    backs += towards < 0 ? 1 : 0;
+    if (towards > 0) balance += use.forward ? 1 : -1;
   }
   return fronts > 0 && backs > 0 && (uses.size() == 2 || balance != 0);
 }
@@ -51,19 +54,31 @@ std::vector<uint32_t> edges_that(const MeshTopology& topology, const Test& test)
 
 }  // namespace
 
+int8_t face_facing(const MeshTopology& topology, uint32_t face, const Viewpoint& eye, bool mirrored) {
+  const glm::dvec3& normal = topology.normals[face];
+  if (normal == glm::dvec3(0.0)) return 0;
+  const double towards = glm::dot(normal, eye.from(topology.positions[topology.faces[face][0]]));
+  return (mirrored ? towards < 0.0 : towards > 0.0) ? 1 : -1;
+}
+
 std::vector<int8_t> face_facings(const MeshTopology& topology, const Viewpoint& eye, bool mirrored) {
   std::vector<int8_t> facings(topology.faces.size());
-  for (size_t f = 0; f < facings.size(); ++f) {
-    const glm::dvec3& normal = topology.normals[f];
-    const double towards = glm::dot(normal, eye.from(topology.positions[topology.faces[f][0]]));
-    const bool is_front = mirrored ? towards < 0.0 : towards > 0.0;
-    facings[f] = static_cast<int8_t>(normal == glm::dvec3(0.0) ? 0 : is_front ? 1 : -1);
-  }
+  for (uint32_t f = 0; f < facings.size(); ++f) facings[f] = face_facing(topology, f, eye, mirrored);
   return facings;
 }
 
 std::vector<uint32_t> silhouette_edges(const MeshTopology& topology, const std::vector<int8_t>& facings) {
-  return edges_that(topology, [&](Uses uses) { return is_silhouette(uses, facings); });
+  return edges_that(
+      topology, [&](Uses uses) { return is_silhouette(uses, [&](uint32_t face) { return facings[face]; }); });
+}
+
+std::vector<uint32_t> silhouette_edges(const MeshTopology& topology, std::span<const uint32_t> candidates,
+                                       const Viewpoint& eye, bool mirrored) {
+  const auto facing = [&](uint32_t face) { return face_facing(topology, face, eye, mirrored); };
+  std::vector<uint32_t> result;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(result),
+               [&](uint32_t edge) { return is_silhouette(topology.uses_of(topology.edges[edge]), facing); });
+  return result;
 }
 
 std::vector<uint32_t> boundary_edges(const MeshTopology& topology, double angle_deg) {

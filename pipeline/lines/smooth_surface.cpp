@@ -305,6 +305,7 @@ SmoothSurface make_smooth_surface(const MeshTopology& topology, double crease_an
   number_crossings(topology, surface);
   surface.radius = half_diagonal(surface.positions);
   find_normals(surface);
+  surface.point_normals = surface.normals;
   const Averaging averaging(surface, mean_edge_length(topology, stretch));
   smooth_normals_of(surface, averaging, steps_for(smoothing));
   find_curvature(surface);

@@ -23,7 +23,8 @@ double quadratic_form(const SymmetricTensor& tensor, const glm::dvec3& direction
 /// other: a point there belongs to several parts, and is in the lists once for each.
 struct SmoothSurface {
   std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;         ///< Of unit length; smoothed.
+  std::vector<glm::dvec3> point_normals;   ///< Of unit length.
+  std::vector<glm::dvec3> normals;         ///< The same smoothed.
   std::vector<SymmetricTensor> curvature;  ///< Tangent to the surface, in 1 / length; smoothed.
   std::vector<std::array<uint32_t, 3>> faces;
   /// Where a line crosses the edge from corner i to corner i + 1: equal for faces of one part on both sides.

@@ -21,6 +21,7 @@ class Viewpoint {
 
   /// From a point towards the eye, of any length.
   glm::dvec3 from(const glm::dvec3& point) const { return is_direction_ ? place_ : place_ - point; }
+  bool is_at_infinity() const { return is_direction_; }
   /// The same in a space that `matrix` leads to.
   Viewpoint in(const glm::dmat3& matrix) const {
     Viewpoint viewpoint = *this;

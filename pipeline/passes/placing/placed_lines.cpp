@@ -16,6 +16,13 @@ PlacedLine placed_at(const Image& packed, int x, int y) {
   return {offset(0), offset(1), line_class, packed.at(x, y, 3)};
 }
 
+PlacedLine placed_at(const Picture& packed, int x, int y) {
+  const auto line_class = static_cast<EdgeClass>(packed.at(x, y, 2));
+  if (line_class == EdgeClass::none) return {0, 0, EdgeClass::none, 0};
+  const auto offset = [&](int c) { return (static_cast<float>(packed.at(x, y, c)) - 127.0F) / 254.0F; };
+  return {offset(0), offset(1), line_class, 1};
+}
+
 void set_placed(Image& packed, int x, int y, const PlacedLine& line) {
   const bool is_line = line.line_class != EdgeClass::none;
   packed.at(x, y, 0) = is_line ? std::round(line.offset_x * 254.0F + 127.0F) / 255.0F : 0.0F;

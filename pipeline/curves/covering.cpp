@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/curves/covering.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "pipeline/base/parallel.h"
+
+namespace inkbench {
+namespace {
+
+constexpr size_t kMostRays = 9;
+constexpr double kPxPerRay = 6.0;
+/// How far beside an outline one looks for what lies behind it.
+constexpr double kBesidePx = 1.0;
+
+Ray in_mesh(const Ray& ray, const CurveModel& model) {
+  return {glm::dvec3(model.to_mesh * glm::dvec4(ray.origin, 1.0)), glm::dmat3(model.to_mesh) * ray.direction,
+          ray.from, ray.to};
+}
+
+double step_px(const LinePoint& a, const LinePoint& b) {
+  return std::hypot(b.pixel.x - a.pixel.x, b.pixel.y - a.pixel.y);
+}
+
+/// A place on a step of a line.
+struct Sample {
+  uint32_t step = 0;
+  glm::dvec3 world{0.0}, pixel{0.0};
+};
+
+Sample sample_on(const ViewLine& line, uint32_t step, double along) {
+  const LinePoint& a = line.points[step];
+  const LinePoint& b = line.points[step + 1];
+  Sample sample{step, {}, glm::mix(a.pixel, b.pixel, along)};
+  sample.world = glm::mix(a.world, b.world, along_in_world(a, b, along));
+  return sample;
+}
+
+/// In the middles of equal shares of the part's length.
+std::vector<Sample> samples_of(const ViewEdge& edge, const ViewLine& line) {
+  const auto wanted = static_cast<size_t>(edge.length_px / kPxPerRay);
+  const size_t count = std::clamp<size_t>(wanted | 1U, 3, kMostRays);
+  std::vector<Sample> samples;
+  double before = 0.0;
+  uint32_t step = edge.from;
+  for (size_t i = 0; i < count; ++i) {
+    const double at = edge.length_px * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    double length = step_px(line.points[step], line.points[step + 1]);
+    while (step + 1 < edge.to && before + length < at) {
+      before += length;
+      ++step;
+      length = step_px(line.points[step], line.points[step + 1]);
+    }
+    samples.push_back(sample_on(line, step, length > 0.0 ? std::min((at - before) / length, 1.0) : 0.5));
+  }
+  return samples;
+}
+
+/// The side of a step on which the surfaces lie that end there: 1 on the right as seen along it, -1, or 0
+/// where it cannot be told.
+double side_of_surface(const ViewLine& line, uint32_t step, const Covering& covering) {
+  const uint32_t edge = line.steps[step].edge;
+  if (edge == LineStep::kNone) return 0.0;
+  const CurveModel& model = covering.models()[static_cast<size_t>(line.model)];
+  const MeshTopology& topology = model.source->topology();
+  const auto uses = topology.uses_of(topology.edges[edge]);
+  for (const uint32_t corner : topology.faces[uses[0].face]) {
+    const auto& ends = topology.edges[edge].points;
+    if (corner == ends[0] || corner == ends[1]) continue;
+    const glm::dvec4 clip =
+        covering.view().to_clip(glm::dvec3(model.to_world * glm::dvec4(topology.positions[corner], 1.0)));
+    if (!(clip.w > 0.0)) return 0.0;
+    const glm::dvec3 pixel = covering.view().to_pixel(clip);
+    const glm::dvec3& a = line.points[step].pixel;
+    const glm::dvec3& b = line.points[step + 1].pixel;
+    const double turn = (b.x - a.x) * (pixel.y - a.y) - (b.y - a.y) * (pixel.x - a.x);
+    return turn > 0.0 ? 1.0 : turn < 0.0 ? -1.0 : 0.0;
+  }
+  return 0.0;
+}
+
+Behind behind_at(const Sample& sample, const ViewLine& line, const Covering& covering) {
+  const double side = side_of_surface(line, sample.step, covering);
+  const glm::dvec2 along(line.points[sample.step + 1].pixel - line.points[sample.step].pixel);
+  const double length = glm::length(along);
+  if (side == 0.0 || !(length > 0.0)) return Behind::unknown;
+  const glm::dvec2 right(-along.y / length, along.x / length);
+  const int object =
+      covering.object_behind(glm::dvec2(sample.pixel) - kBesidePx * side * right, sample.pixel.z);
+  const int own = covering.models()[static_cast<size_t>(line.model)].object_id;
+  return object == 0 ? Behind::nothing : object == own ? Behind::same_object : Behind::other_object;
+}
+
+/// Asks `ask(i)` in order, until more than half of `count` say the same: the median of all is that.
+template <class Ask>
+int median_vote(size_t count, const Ask& ask) {
+  std::vector<int> votes;
+  for (size_t i = 0; i < count; ++i) {
+    votes.push_back(ask(i));
+    const auto same = std::count(votes.begin(), votes.end(), votes.back());
+    if (2 * static_cast<size_t>(same) > count) return votes.back();
+  }
+  std::sort(votes.begin(), votes.end());
+  return votes[count / 2];
+}
+
+void decide(ViewEdge& edge, const ViewLine& line, const Covering& covering) {
+  const std::vector<Sample> samples = samples_of(edge, line);
+  edge.covered =
+      median_vote(samples.size(), [&](size_t i) { return covering.surfaces_before(samples[i].world); });
+  if (edge.covered > 0 || !line.covers) return;
+  const std::array<size_t, 3> places{samples.size() / 2, 0, samples.size() - 1};
+  edge.behind = static_cast<Behind>(median_vote(places.size(), [&](size_t i) {
+    return static_cast<int>(behind_at(samples[places[i]], line, covering));
+  }));
+}
+
+void start_at_change(ViewLine& line) {
+  if (!line.is_closed || line.points[0].change) return;
+  const auto change = std::find_if(line.points.begin(), line.points.end(),
+                                   [](const LinePoint& point) { return point.change.has_value(); });
+  if (change == line.points.end()) return;
+  const auto shift = change - line.points.begin();
+  line.points.pop_back();
+  std::rotate(line.points.begin(), line.points.begin() + shift, line.points.end());
+  line.points.push_back(line.points.front());
+  std::rotate(line.steps.begin(), line.steps.begin() + shift, line.steps.end());
+}
+
+}  // namespace
+
+int Covering::surfaces_before(const glm::dvec3& world, double apart) const {
+  Ray ray = view_.ray_to(world);
+  ray.to -= apart / glm::length(ray.direction);
+  int count = 0;
+  for (const CurveModel& model : models_) {
+    const glm::dvec3 target(model.to_mesh * glm::dvec4(world, 1.0));
+    count += model.source->faces().count_passed(in_mesh(ray, model), target);
+  }
+  return count;
+}
+
+int Covering::object_behind(const glm::dvec2& pixel, double nearness) const {
+  Ray ray = view_.ray_through(pixel, nearness);
+  ray.from = 1.0;
+  int object = 0;
+  for (const CurveModel& model : models_) {
+    const std::optional<double> hit = model.source->faces().first_hit(in_mesh(ray, model));
+    if (!hit || *hit > ray.to) continue;
+    ray.to = *hit;
+    object = model.object_id;
+  }
+  return object;
+}
+
+std::vector<ViewEdge> view_edges(std::vector<ViewLine>& lines) {
+  std::vector<ViewEdge> edges;
+  for (uint32_t i = 0; i < lines.size(); ++i) {
+    ViewLine& line = lines[i];
+    start_at_change(line);
+    ViewEdge edge{i, 0, 0, 0.0, 0, {}};
+    for (uint32_t at = 1; at < line.points.size(); ++at) {
+      edge.length_px += step_px(line.points[at - 1], line.points[at]);
+      edge.to = at;
+      if (!line.follows && !line.points[at].change && at + 1 < line.points.size()) continue;
+      edges.push_back(edge);
+      edge = {i, at, at, 0.0, 0, {}};
+    }
+  }
+  return edges;
+}
+
+void decide_covering(std::span<ViewEdge> edges, const std::vector<ViewLine>& lines,
+                     const Covering& covering) {
+  for_each_in_parallel(edges.size(), [&](size_t i) {
+    const ViewLine& line = lines[edges[i].line];
+    if (!line.follows) decide(edges[i], line, covering);
+  });
+}
+
+}  // namespace inkbench
