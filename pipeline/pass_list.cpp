@@ -27,6 +27,7 @@
 #include "pipeline/passes/gbuffer/quantise_planes.h"
 #include "pipeline/passes/gbuffer/visible_depth.h"
 #include "pipeline/passes/gbuffer/visible_range.h"
+#include "pipeline/passes/ink/both_inks.h"
 #include "pipeline/passes/ink/coverage.h"
 #include "pipeline/passes/ink/drawn_ink.h"
 #include "pipeline/passes/ink/drawn_lines.h"
@@ -36,6 +37,7 @@
 #include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/ink/published_look.h"
 #include "pipeline/passes/ink/seeds.h"
+#include "pipeline/passes/ink/strokes_over.h"
 #include "pipeline/passes/light/shade.h"
 #include "pipeline/passes/lines/reference.h"
 #include "pipeline/passes/placing/candidates.h"
@@ -47,6 +49,11 @@
 #include "pipeline/passes/placing/line_tiles.h"
 #include "pipeline/passes/placing/place.h"
 #include "pipeline/passes/placing/placed_lines.h"
+#include "pipeline/passes/strokes/curve_lines.h"
+#include "pipeline/passes/strokes/stroke_colours.h"
+#include "pipeline/passes/strokes/stroke_ink.h"
+#include "pipeline/passes/strokes/stroke_paint.h"
+#include "pipeline/passes/strokes/strokes.h"
 
 namespace inkbench {
 namespace {
@@ -70,11 +77,15 @@ std::vector<const PassKind*>& list() {
       &SeedsPass::kind(), &FloodPass::kind(), &CoveragePass::kind(),
       &LineTilesPass::kind(), &LineTiles::kind(), &LineBitsPass::kind(), &NarrowCoveragePass::kind(), &LineCoverage::kind(),
       &AliasedCoverage::kind(), &SampledCoverage::kind(),
-      &PublishedLookPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
-      // lines as curves
-      &ObjectCurvesPass::kind(), &TracedCurvesPass::kind(), &CurvesPass::kind(),
-      // light, and ink over it
-      &ShadePass::kind(), &InkPass::kind(), &BlinnPhong::kind(),
+      &PublishedLookPass::kind(), &FilterInk::kind(),
+      // light
+      &ShadePass::kind(), &BlinnPhong::kind(),
+      // curves and strokes
+      &ObjectCurvesPass::kind(), &TracedCurvesPass::kind(), &CurvesPass::kind(), &CurveLinesPass::kind(), &CurvePaint::kind(), &CurveColours::kind(),
+      &StrokesPass::kind(), &StrokePaint::kind(), &StrokeInkPass::kind(), &StrokeColours::kind(),
+      // what is drawn over the shading
+      &BothInksPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
+      &InkPass::kind(), &BelowStrokes::kind(), &StrokesOverPass::kind(), &FinalImage::kind(),
       // beside the chain
       &ReferencePass::kind(), &MotionPass::kind(),
   };

@@ -12,6 +12,8 @@
 #include "pipeline/passes/gbuffer/meshes.h"
 #include "pipeline/passes/gbuffer/visible_range.h"
 #include "pipeline/passes/lines/reference.h"
+#include "pipeline/passes/strokes/curve_lines.h"
+#include "pipeline/passes/strokes/strokes.h"
 #include "pipeline/supersample.h"
 
 namespace inkbench {
@@ -111,8 +113,10 @@ Frame Pipeline::at(const Settings& settings, const Frame& previous) {
   return make_frame(std::make_shared<FrameState>(settings, flow_.looks_back() ? previous.state_ : nullptr));
 }
 
-Frame Pipeline::at(const Settings& settings, const ImageWindow& part) {
-  return make_frame(std::make_shared<FrameState>(settings, nullptr, part));
+Frame Pipeline::at(const Settings& settings, const ImageWindow& part, std::vector<GivenValue> given) {
+  auto state = std::make_shared<FrameState>(settings, nullptr, part);
+  state->given = std::move(given);
+  return make_frame(std::move(state));
 }
 
 void Pipeline::check_room(const ImageParams& image, const std::string& where, const std::string& instead) {
@@ -195,13 +199,32 @@ void Frame::draw(BufferName buffer) const {
   throw_gl_errors(std::string(name_of(buffer)));
 }
 
+template <class Tag>
+GivenValue Frame::enlarged_value() const {
+  const int times = settings().image.supersample;
+  const Key key = KeyBuilder().add("enlarged").add(key_of<Tag>()).add(std::to_string(times)).key();
+  return {typeid(Tag), key, std::make_shared<const Strokes>(inkbench::enlarged(*value<Tag>(), times))};
+}
+
+/// Curves and strokes have no resolution: what is drawn larger are those of the picture's own size, so that
+/// they stay what they are from frame to frame.
+std::vector<GivenValue> Frame::enlarged_strokes(BufferName buffer) const {
+  if (buffer == BufferName::curves) return {enlarged_value<CurveLinesPass>()};
+  const bool with_ink = buffer == BufferName::final || buffer == BufferName::coverage;
+  if (buffer == BufferName::strokes || (with_ink && draws_strokes(settings())))
+    return {enlarged_value<StrokesPass>()};
+  return {};
+}
+
 Texture Frame::supersampled(BufferName buffer, const PictureView& view) const {
   pipeline_->check_room(settings().image);
   const Image visible = value<VisibleRangePass>()->read(0, 2);
+  std::vector<GivenValue> given = enlarged_strokes(buffer);
   const PoolUser::Scope pool_scope(pipeline_->pool_user_);
   const PassScope pass_scope(pipeline_->flow_.observer(), "picture");
-  return pipeline_->supersampler().draw(settings(), {visible.at(0, 0, 0), visible.at(0, 0, 1)}, buffer, view,
-                                        pipeline_->box_filter(), pipeline_->tile_px_);
+  return pipeline_->supersampler().draw(settings(), {visible.at(0, 0, 0), visible.at(0, 0, 1)},
+                                        std::move(given), buffer, view, pipeline_->box_filter(),
+                                        pipeline_->tile_px_);
 }
 
 Picture Frame::picture(BufferName buffer) const {

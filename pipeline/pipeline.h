@@ -101,6 +101,9 @@ class Frame {
   Frame(Pipeline& pipeline, std::shared_ptr<const FrameState> state)
       : pipeline_(&pipeline), state_(std::move(state)) {}
   Shown show(BufferName buffer) const;
+  template <class Tag>
+  GivenValue enlarged_value() const;
+  std::vector<GivenValue> enlarged_strokes(BufferName buffer) const;
   Texture supersampled(BufferName buffer, const PictureView& view) const;
   Key picture_key_of(BufferName buffer, const PictureView& view) const;
 
@@ -126,8 +129,9 @@ class Pipeline {
   /// The same with a past: passes that look back see the previous frame's values. A frame holds those before
   /// it for as long as it lives.
   Frame at(const Settings& settings, const Frame& previous);
-  /// A part of the settings' image, as passes draw it; its buffers have the part's size.
-  Frame at(const Settings& settings, const ImageWindow& part);
+  /// A part of the settings' image, as passes draw it; its buffers have the part's size. Passes whose values
+  /// are given do not run.
+  Frame at(const Settings& settings, const ImageWindow& part, std::vector<GivenValue> given = {});
 
   /// Errors (work): frames of that size need more memory than there is, beyond what one drawn before has
   /// taken; with what decides the size and what to do instead. Graphics cards have memory of their own, which

@@ -13,6 +13,8 @@
 #include "pipeline/passes/ink/line_widths.h"
 #include "pipeline/passes/placing/connect.h"
 #include "pipeline/passes/placing/placed_lines.h"
+#include "pipeline/passes/strokes/stroke_colours.h"
+#include "pipeline/passes/strokes/strokes.h"
 
 namespace inkbench {
 namespace {
@@ -20,8 +22,19 @@ namespace {
 /// No detector looks farther, the steps to placed lines counted in.
 constexpr int kOperatorReachPx = 16;
 
-bool shows_lines(BufferName buffer) {
-  return buffer != BufferName::shaded && buffer != BufferName::blinn_phong;
+/// Does it show what a filter has found in the large image?
+bool shows_found_lines(const Settings& settings, BufferName buffer) {
+  if (buffer == BufferName::curves || buffer == BufferName::strokes) return false;
+  const bool shows_ink = buffer != BufferName::shaded && buffer != BufferName::blinn_phong;
+  return shows_ink && draws_filter(settings);
+}
+
+/// How far strokes look for the surface whose colour they have.
+int reach_of_colours(const Settings& settings, BufferName buffer) {
+  const bool shows_strokes = buffer == BufferName::strokes || draws_strokes(settings);
+  const StrokeColour colour = settings.stroke.colour;
+  const bool is_of_surface = colour == StrokeColour::material || colour == StrokeColour::shading;
+  return shows_strokes && is_of_surface ? kMostColourReachPx : 0;
 }
 
 /// What of the lines is found from the whole image; empty: nothing.
@@ -76,6 +89,7 @@ Settings enlarged(const Settings& settings, int times) {
   large.edges.min_length *= factor;
   large.line.taper *= factor;
   if (large.line.unit == WidthUnit::px) large.line.width *= factor;
+  large.stroke.brush_length *= factor;
   return large;
 }
 
@@ -105,9 +119,10 @@ ImageWindow TilePlan::drawn_for(const ImageWindow& tile) const {
 
 TilePlan plan_tiles(const Settings& settings, BufferName buffer, const glm::vec2& visible, int most_px) {
   TilePlan plan{.times = settings.image.supersample};
-  if (shows_lines(buffer)) {
+  plan.margin_px = reach_of_colours(settings, buffer);
+  if (shows_found_lines(settings, buffer)) {
     const Settings large = enlarged(settings, plan.times);
-    plan.margin_px = margin_of(large, visible);
+    plan.margin_px = std::max(plan.margin_px, margin_of(large, visible));
     plan.why_whole = needs_whole(large);
   }
   plan.tile_width = tile_side(settings.image.width, plan, most_px);
@@ -135,8 +150,9 @@ void Supersampler::check_part(const ImageWindow& window, const TilePlan& plan) {
   pipeline_.check_room(drawn, "image.supersample", "choose a smaller one");
 }
 
-Texture Supersampler::draw(const Settings& settings, const glm::vec2& visible, BufferName buffer,
-                           const PictureView& view, const BoxFilterPass& filter, int most_tile_px) {
+Texture Supersampler::draw(const Settings& settings, const glm::vec2& visible,
+                           const std::vector<GivenValue>& given, BufferName buffer, const PictureView& view,
+                           const BoxFilterPass& filter, int most_tile_px) {
   const TilePlan plan = plan_tiles(settings, buffer, visible, most_tile_px);
   const Settings large = enlarged(settings, plan.times);
   const std::vector<ImageWindow> tiles = plan.tiles(settings.image);
@@ -146,7 +162,7 @@ Texture Supersampler::draw(const Settings& settings, const glm::vec2& visible, B
     ImageWindow window = plan.drawn_for(tile);
     window.visible_range = visible;
     check_part(window, plan);
-    const Shown shown = pipeline_.at(large, window).show(buffer);
+    const Shown shown = pipeline_.at(large, window, given).show(buffer);
     filter.run(view, *shown.texture, window, plan.times, tile, picture);
   }
   return picture;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pictures by `image.supersample`: drawn so many times as wide and as high, tile by tile, and filtered down.
 // In: a frame's settings. Out: the picture of one buffer. Everything is found and drawn again at the large
-// size; widths, tapers and shortest lengths of lines stay in the picture's own pixels.
+// size, but for curves and strokes, which are those of the picture's own size; widths, tapers and shortest
+// lengths of lines stay in the picture's own pixels.
 #pragma once
 
 #include <memory>
@@ -39,10 +40,11 @@ class Supersampler {
   /// With what another pipeline holds of meshes.
   Supersampler(std::shared_ptr<LineFinder> finder, std::shared_ptr<MeshStore> meshes);
 
-  /// Out: rgba8, H x W: means of display values. `visible`: of the settings' own image. Errors (input): one
+  /// Out: rgba8, H x W: means of display values. `visible`: of the settings' own image; `given`: values for
+  /// the large one. Errors (input): one
   /// part is larger than the renderer draws; as the passes; (work): there is too little memory for it.
-  Texture draw(const Settings& settings, const glm::vec2& visible, BufferName buffer, const PictureView& view,
-               const BoxFilterPass& filter, int most_tile_px);
+  Texture draw(const Settings& settings, const glm::vec2& visible, const std::vector<GivenValue>& given,
+               BufferName buffer, const PictureView& view, const BoxFilterPass& filter, int most_tile_px);
 
   void forget_results() { pipeline_.forget_results(); }
   bool reload_changed_shaders() { return pipeline_.reload_changed_shaders(); }

@@ -68,6 +68,8 @@ class BufferName {
   static const BufferName pair_angles;     ///< Degrees to the surfaces on the right and above, signed.
   static const BufferName pair_gaps;       ///< The gaps to them in pixels' sizes, signed.
   static const BufferName shaded;          ///< Light through the ramps, no ink (3.1, 3.2).
+  static const BufferName curves;          ///< Curves by class, over white.
+  static const BufferName strokes;         ///< Strokes over white; alpha: what they hide.
   static const BufferName final;           ///< Ink over the shading (3.5).
   static const BufferName blinn_phong;     ///< Plain Blinn-Phong, whatever the ramps (3.1).
   static const BufferName object_id;  ///< 1, 2, ... in the scene's order of models, 0 where there is none.

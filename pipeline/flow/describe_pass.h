@@ -96,6 +96,7 @@ class PassNode final : public Node<typename Tag::Value> {
         shown_(std::move(shown)) {}
 
   Key key(const FrameState& frame) const override {
+    if (const GivenValue* given = frame.given_for(typeid(Tag))) return given->key;
     if constexpr (kHandsOn) {
       if (Tag::hands_on(frame.settings)) return frame.keys[std::get<0>(inputs_).node->index()];
     }
@@ -107,6 +108,8 @@ class PassNode final : public Node<typename Tag::Value> {
   }
 
   std::shared_ptr<const Value> get(const FrameState& frame) override {
+    if (const GivenValue* given = frame.given_for(typeid(Tag)))
+      return std::static_pointer_cast<const Value>(given->value);
     if constexpr (kHandsOn) {
       if (Tag::hands_on(frame.settings)) {
         const auto first = std::get<0>(inputs_).get(frame);

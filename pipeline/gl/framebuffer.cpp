@@ -89,6 +89,16 @@ int largest_viewport_px() {
   return std::min(sides[0], sides[1]);
 }
 
+void clear_colours(int count) {
+  constexpr std::array kNone{0.0F, 0.0F, 0.0F, 0.0F};
+  for (int i = 0; i < count; ++i) glClearBufferfv(GL_COLOR, i, kNone.data());
+}
+
+void blend_by_maximum() {
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_MAX);
+}
+
 void draw_full_screen() {
   glBindVertexArray(GlContext::current().empty_vertex_array().id());
   glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -30,6 +30,12 @@ void set_viewport(int left, int bottom, int width_px, int height_px);
 /// The longest side that it can have.
 int largest_viewport_px();
 
+/// Sets all channels of the target's first `count` colours to 0.
+void clear_colours(int count);
+
+/// Until the next target is made, each channel keeps the larger of what is there and what is drawn.
+void blend_by_maximum();
+
 /// Draws one triangle over the whole target with the program in use.
 void draw_full_screen();
 

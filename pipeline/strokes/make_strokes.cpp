@@ -34,7 +34,7 @@ StrokeCourse course_of(const StrokePath& path) {
 
 /// One pass over a path; without points where it has no width anywhere.
 Stroke drawn_once(const StrokePath& path, const StrokeParams& params, const StrokeClasses& classes,
-                  const Profile& profile, const StrokeSurroundings& around, int pass) {
+                  const WidthProfile& profile, const StrokeSurroundings& around, int pass) {
   Stroke stroke{.object_id = path.object_id,
                 .covered = path.covered,
                 .is_outline = path.is_outline,
@@ -62,7 +62,7 @@ Stroke drawn_once(const StrokePath& path, const StrokeParams& params, const Stro
 
 Strokes make_strokes(const Curves& curves, const StrokeParams& params, const StrokeClasses& classes,
                      const StrokeSurroundings& around, const Strokes* before) {
-  const Profile profile = parse_profile(params.profile, "stroke.profile");
+  const WidthProfile profile = parse_profile(params.profile, "stroke.profile");
   std::vector<StrokePath> paths = paths_of(curves, params, classes);
   if (before != nullptr && params.coherent) carry_along(paths, *before);
   Strokes strokes{curves.width_px, curves.height_px, {}, {}};

@@ -145,7 +145,7 @@ Tapers tapers_of(const StrokePath& path, const StrokeParams& params) {
 }
 
 void shape_ends(std::vector<float>& widths, const StrokePath& path, const StrokeParams& params,
-                const Profile& profile) {
+                const WidthProfile& profile) {
   const Tapers tapers = tapers_of(path, params);
   const float start = path.points.front().along_px, end = path.points.back().along_px;
   for (size_t i = 0; i < widths.size(); ++i) {
@@ -159,7 +159,7 @@ void shape_ends(std::vector<float>& widths, const StrokePath& path, const Stroke
 }  // namespace
 
 std::vector<float> stroke_radii(const StrokePath& path, const StrokeParams& params,
-                                const StrokeClasses& classes, const Profile& profile,
+                                const StrokeClasses& classes, const WidthProfile& profile,
                                 const StrokeSurroundings& around) {
   std::vector<float> widths = class_shares(path, classes);
   const float of_all =
@@ -175,7 +175,7 @@ std::vector<float> stroke_radii(const StrokePath& path, const StrokeParams& para
   return widths;
 }
 
-float share_of(const Profile& profile, float along) {
+float share_of(const WidthProfile& profile, float along) {
   if (profile.empty()) return 1.0F;
   if (along <= profile.front().along) return profile.front().share;
   for (size_t i = 1; i < profile.size(); ++i) {

@@ -25,16 +25,16 @@ struct StrokeSurroundings {
 };
 
 /// The style's profile, read once.
-using Profile = std::vector<ProfilePoint>;
+using WidthProfile = std::vector<ProfilePoint>;
 
 /// Half the width in px at each point of the path: `stroke.width` by class (blended where it changes), depth,
 /// curvature, light, profile, and tapers.
 std::vector<float> stroke_radii(const StrokePath& path, const StrokeParams& params,
-                                const StrokeClasses& classes, const Profile& profile,
+                                const StrokeClasses& classes, const WidthProfile& profile,
                                 const StrokeSurroundings& around);
 
 /// The share of the width that the profile gives at a place from 0 to 1.
-float share_of(const Profile& profile, float along);
+float share_of(const WidthProfile& profile, float along);
 
 /// How bright a colour looks, 0 to 1, of its linear red, green and blue (Rec. 709).
 float luminance_of(float red, float green, float blue);

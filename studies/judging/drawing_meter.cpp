@@ -87,7 +87,7 @@ DrawingTally DrawingMeter::tally(const Frame& frame, const Frame* before) {
   const LineView view = lines ? line_view(drawn, *lines, settings.judge) : LineView{drawn, {}, {}, {}};
   DrawingTally tally = tally_view({view, lines.get(), full ? &*full : nullptr}, settings.judge, needs_);
   if (needs_.faces) tally.faces = drawn_faces(pipeline_.meshes(), settings);
-  if (needs_.antialiasing && places_lines(settings)) tally.antialiasing = antialiasing_of(frame);
+  if (needs_.antialiasing && places_lines(settings) && settings.ink.from == InkFrom::filter) tally.antialiasing = antialiasing_of(frame);
   if (needs_.strengths) tally.strengths = strengths_of(frame, view);
   if (needs_.causes) {
     last_causes_ = find_causes(pipeline_, settings);

@@ -265,7 +265,7 @@ TEST(Supersample, what_needs_the_whole_image_says_so_where_that_is_too_large) {
   EXPECT_GT(plan_tiles(settings, BufferName::shaded, {1.0F, 10.0F}, 2048).tiles(settings.image).size(), 1U);
   Supersampler supersampler(std::make_shared<LineFinder>(), std::make_shared<MeshStore>());
   const std::string error = input_error_of([&] {
-    supersampler.draw(settings, {1.0F, 10.0F}, BufferName::final, {}, BoxFilterPass(generated_sources()),
+    supersampler.draw(settings, {1.0F, 10.0F}, {}, BufferName::final, {}, BoxFilterPass(generated_sources()),
                       2048);
   });
   EXPECT_NE(error.find("image.supersample"), std::string::npos) << error;

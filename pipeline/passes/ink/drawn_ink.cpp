@@ -3,8 +3,10 @@
 
 #include "pipeline/flow/describe_choice.h"
 #include "pipeline/passes/edges/combine.h"
+#include "pipeline/passes/ink/both_inks.h"
 #include "pipeline/passes/ink/narrow_coverage.h"
 #include "pipeline/passes/ink/published_look.h"
+#include "pipeline/passes/strokes/stroke_ink.h"
 
 namespace inkbench {
 namespace {
@@ -28,14 +30,20 @@ bool places_lines(const Settings& settings) {
   return !is_papers_ink(settings) && !draws_as_published(settings);
 }
 
-size_t DrawnInk::chosen(const Settings& settings) {
+size_t FilterInk::chosen(const Settings& settings) {
   if (is_papers_ink(settings)) return 0;
   return draws_as_published(settings) ? 1 : 2;
 }
 
+const PassKind& FilterInk::kind() {
+  static const PassKind kKind = describe_choice<FilterInk, CombinePass, PublishedLookPass, LineCoverage>(
+      "filter_ink", EdgesParams::description().group, {});
+  return kKind;
+}
+
 const PassKind& DrawnInk::kind() {
-  static const PassKind kKind = describe_choice<DrawnInk, CombinePass, PublishedLookPass, LineCoverage>(
-      "drawn_ink", EdgesParams::description().group, {});
+  static const PassKind kKind = describe_choice<DrawnInk, FilterInk, StrokeInkPass, BothInksPass>(
+      "drawn_ink", InkParams::description().group, {});
   return kKind;
 }
 

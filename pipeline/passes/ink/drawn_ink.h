@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is drawn over the shading: the paper's combined edges as they are, the published detectors' own look,
-// or the coverage of placed lines. `lib/ink.glsl` says how it is read.
+// What is drawn over the shading. Of the filter: the paper's combined edges as they are, the published
+// detectors' own look, or the coverage of placed lines; or strokes; or both. `lib/ink.glsl` says how it is
+// read.
 #pragma once
 
 #include "pipeline/flow/flow.h"
@@ -8,17 +9,24 @@
 
 namespace inkbench {
 
-struct DrawnInk {
+struct FilterInk {
   using Value = Texture;
   static const PassKind& kind();
   /// By `edges.method` and whether the method draws thinned lines.
   static size_t chosen(const Settings& settings);
 };
 
-/// Does the method place lines that have a width, and draw those?
+struct DrawnInk {
+  using Value = Texture;
+  static const PassKind& kind();
+  /// By `ink.from`.
+  static size_t chosen(const Settings& settings) { return static_cast<size_t>(settings.ink.from); }
+};
+
+/// Does the filter place lines that have a width, and draw those?
 bool places_lines(const Settings& settings);
 
-/// Is the value the paper's combined edges, of which whatever is not 0 is ink?
+/// Is the filter's ink the paper's combined edges, of which whatever is not 0 is ink?
 inline bool is_papers_ink(const Settings& settings) {
   return settings.edges.method == EdgeMethod::paper;
 }

@@ -17,6 +17,11 @@ constexpr BufferInfo kCoverage{.name = "coverage",
                                .as_lines = ReadAsLines::at_cut,
                                .is_supersampled = true};
 
+/// What is drawn is the paper's combined edges, and nothing else.
+bool draws_papers_ink(const Settings& settings) {
+  return settings.ink.from == InkFrom::filter && is_papers_ink(settings);
+}
+
 /// lines_block of shaders/lines.frag in std140.
 struct LinesBlock {
   int is_papers;
@@ -31,7 +36,7 @@ constinit const BufferName BufferName::coverage{kCoverage};
 const PassKind& LinesPass::kind() {
   static const PassKind kKind =
       describe_pass<LinesPass>("lines", 1, {shows(BufferName::lines), shows(BufferName::coverage)},
-                               derived<is_papers_ink>(EdgesParams::description), value_of<DrawnInk>());
+                               derived<draws_papers_ink>(EdgesParams::description), value_of<DrawnInk>());
   return kKind;
 }
 

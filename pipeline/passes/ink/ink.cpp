@@ -9,13 +9,6 @@
 namespace inkbench {
 namespace {
 
-constexpr BufferInfo kFinal{.name = "final",
-                            .help = "Ink over the shading.",
-                            .number_key = 7,
-                            .channels = 3,
-                            .shown_as = ShownAs::colour,
-                            .is_supersampled = true};
-
 /// look_block of shaders/ink_by_class.frag in std140.
 struct LookBlock {
   glm::vec4 of_class[kEdgeClasses];
@@ -38,7 +31,9 @@ struct InkLookInput {
   }
   InkLook get(const FrameState& frame) const {
     const Settings& settings = frame.settings;
-    return {settings.ink, is_papers_ink(settings), settings.line.colour_by_class, settings.class_looks};
+    InkParams ink = settings.ink;
+    ink.from = InkFrom::filter;  // whatever else is drawn
+    return {ink, is_papers_ink(settings), settings.line.colour_by_class, settings.class_looks};
   }
   void fold(KeyBuilder& key, const FrameState& frame) const {
     const InkLook look = get(frame);
@@ -54,11 +49,9 @@ struct InkLookInput {
 
 }  // namespace
 
-constinit const BufferName BufferName::final{kFinal};
-
 const PassKind& InkPass::kind() {
-  static const PassKind kKind = describe_pass<InkPass>("ink", 1, {shows(BufferName::final)}, InkLookInput{},
-                                                       value_of<ShadePass>(), value_of<DrawnInk>());
+  static const PassKind kKind =
+      describe_pass<InkPass>("ink", 1, {}, InkLookInput{}, value_of<ShadePass>(), value_of<FilterInk>());
   return kKind;
 }
 

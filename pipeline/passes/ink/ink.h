@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ink over the shading: the final image (3.5).
+// The filter's ink over the shading (3.5).
 #pragma once
 
 #include <array>

@@ -1,0 +1,8 @@
+#version 450 core
+// SPDX-License-Identifier: MIT
+// Strokes in colours of their own, over white.
+#include "lib/stroke_look.glsl"
+
+layout(location = 0) out vec4 colour;  // alpha: how much of what lies below is hidden
+
+void main() { colour = over_white(ivec2(gl_FragCoord.xy), vec3(0.0), false); }
