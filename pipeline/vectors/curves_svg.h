@@ -14,10 +14,9 @@ namespace inkbench {
 inline constexpr double kCurveErrorPx = 0.11;
 
 /// One path for each curve, in groups by class and object (`class_groups`), as the buffer `curves` shows
-/// them: 1.5 px wide, in the classes' colours. Covered ones, fainter and dashed, in the group `hidden`, only
-/// with `stroke.hidden`; each says in `data-covered` by how many surfaces. `below`: elements under the
-/// curves.
-std::string curves_svg(const Curves& curves, const StrokeParams& stroke, const StrokeClasses& classes,
+/// them, in the classes' colours. Covered ones lie fainter and dashed in the group `hidden`, where they are
+/// asked for; each says in `data-covered` by how many surfaces. `below`: elements under the curves.
+std::string curves_svg(const Curves& curves, bool with_hidden, const StrokeClasses& classes,
                        const VectorPage& page, const std::string& below = "");
 
 }  // namespace inkbench

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <utility>
 
 #include "pipeline/vectors/svg_parts.h"
 
@@ -38,6 +39,17 @@ std::string object_name(const std::vector<std::string>& names, int id) {
   return place < names.size() ? names[place] : std::to_string(id);
 }
 
+/// What `xml_text` made of a text.
+std::string from_xml(std::string text) {
+  constexpr std::array<std::pair<std::string_view, char>, 4> kEntities{
+      {{"&quot;", '"'}, {"&gt;", '>'}, {"&lt;", '<'}, {"&amp;", '&'}}};
+  for (const auto& [entity, character] : kEntities) {
+    for (size_t at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1))
+      text.replace(at, entity.size(), 1, character);
+  }
+  return text;
+}
+
 using ByObject = std::map<int, std::string>;  // elements
 
 std::string class_layer(const std::string& id, const std::string& attributes, const ByObject& objects,
@@ -67,6 +79,14 @@ std::string svg_file_mm(const VectorPage& page, double width_mm, double height_m
   const std::string width = svg_number(width_mm, 3), height = svg_number(height_mm, 3);
   return whole_file(fmt::format("width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\"", width, height),
                     page.about, note, drawn);
+}
+
+std::string svg_entry(std::string_view svg, std::string_view name) {
+  const std::string opening = fmt::format("<ink:text name=\"{}\">", xml_text(name));
+  const size_t begin = svg.find(opening);
+  if (begin == std::string_view::npos) return "";
+  const size_t first = begin + opening.size(), end = svg.find("</ink:text>", first);
+  return end == std::string_view::npos ? "" : from_xml(std::string(svg.substr(first, end - first)));
 }
 
 std::string class_groups(const std::vector<ClassItem>& items, const ClassAttributes& attributes,

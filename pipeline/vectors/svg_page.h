@@ -30,6 +30,9 @@ std::string svg_file(const VectorPage& page, const std::string& note, const std:
 std::string svg_file_mm(const VectorPage& page, double width_mm, double height_mm, const std::string& note,
                         const std::string& drawn);
 
+/// The entry `name` of the <metadata> that such a file has; "" where there is none.
+std::string svg_entry(std::string_view svg, std::string_view name);
+
 /// A path with its group.
 struct ClassItem {
   bool is_hidden = false;

@@ -94,7 +94,7 @@ TEST(StrokesSvg, says_that_it_cannot_hold_paint) {
 
 TEST(VectorFiles, carry_their_parameters_as_text) {
   for (const std::string& svg : {strokes_svg(few_strokes(), {}, small_page()),
-                                 curves_svg({}, {}, default_stroke_classes(), small_page())})
+                                 curves_svg({}, false, default_stroke_classes(), small_page())})
     EXPECT_THAT(svg, HasSubstr("<ink:text name=\"inkbench:settings\">a &lt; b\n</ink:text>"));
 }
 
@@ -109,19 +109,17 @@ Curves few_curves() {
 }
 
 TEST(CurvesSvg, curve_is_a_path_in_the_group_of_its_class_and_object) {
-  const std::string svg = curves_svg(few_curves(), {}, default_stroke_classes(), small_page());
+  const std::string svg = curves_svg(few_curves(), false, default_stroke_classes(), small_page());
   EXPECT_THAT(svg, HasSubstr("<g id=\"silhouette-rabbit\">\n<path d=\"M1 1h8\"/>\n</g>"));
   EXPECT_THAT(svg, HasSubstr("stroke=\"#0072b2\">\n<path d=\"M1 5h8v4z\"/>\n</g>"));  // of no object
   EXPECT_THAT(svg, HasSubstr("stroke-width=\"1.5\""));
 }
 
 TEST(CurvesSvg, hidden_curves_are_dashed_and_say_what_covers_them_where_asked_for) {
-  StrokeParams stroke;
-  EXPECT_THAT(curves_svg(few_curves(), stroke, default_stroke_classes(), small_page()),
+  EXPECT_THAT(curves_svg(few_curves(), false, default_stroke_classes(), small_page()),
               Not(HasSubstr("hidden")));
-  stroke.hidden = true;
-  const std::string svg = curves_svg(few_curves(), stroke, default_stroke_classes(), small_page());
-  EXPECT_THAT(svg, HasSubstr("opacity=\".6\" stroke-dasharray=\"6 4\""));
+  const std::string svg = curves_svg(few_curves(), true, default_stroke_classes(), small_page());
+  EXPECT_THAT(svg, HasSubstr("opacity=\".6\" stroke-dasharray=\"5 3\""));
   EXPECT_THAT(svg, HasSubstr("<g id=\"hidden-crease-box___co\">\n<path data-covered=\"3\" d=\"M1 7h8\"/>"));
 }
 
