@@ -7,7 +7,6 @@
 namespace inkbench {
 namespace {
 
-constexpr uint32_t kLeafSize = 4;
 constexpr int kBins = 16;
 /// From here on nodes are cut in halves, so that no tree is deeper than a walk's stack.
 constexpr size_t kDepthOfHalving = BoxTree::kMaxDepth / 2;
@@ -30,8 +29,9 @@ struct Cut {
 
 class Builder {
  public:
-  Builder(std::span<const Box> boxes, std::vector<BoxTree::Node>& nodes, std::vector<uint32_t>& items)
-      : boxes_(boxes), nodes_(nodes), items_(items), centres_(boxes.size()) {
+  Builder(std::span<const Box> boxes, std::vector<BoxTree::Node>& nodes, std::vector<uint32_t>& items,
+          uint32_t leaf_size)
+      : boxes_(boxes), nodes_(nodes), items_(items), leaf_size_(leaf_size), centres_(boxes.size()) {
     for (size_t i = 0; i < boxes.size(); ++i) centres_[i] = 0.5F * (boxes[i].low + boxes[i].high);
   }
 
@@ -95,7 +95,7 @@ class Builder {
 
   void split(uint32_t index, size_t depth) {
     const BoxTree::Node node = nodes_[index];
-    if (node.count <= kLeafSize) return;
+    if (node.count <= leaf_size_) return;
     const auto begin = items_.begin() + node.first;
     const auto end = begin + node.count;
     const Cut cut = depth < kDepthOfHalving ? best_cut(node) : Cut{};
@@ -122,15 +122,16 @@ class Builder {
   std::span<const Box> boxes_;
   std::vector<BoxTree::Node>& nodes_;
   std::vector<uint32_t>& items_;
+  uint32_t leaf_size_;
   std::vector<glm::vec3> centres_;
   std::vector<Open> open_;
 };
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box> boxes) : items_(boxes.size()) {
+BoxTree::BoxTree(std::span<const Box> boxes, uint32_t leaf_size) : items_(boxes.size()) {
   std::iota(items_.begin(), items_.end(), 0U);
-  if (!boxes.empty()) Builder(boxes, nodes_, items_).build();
+  if (!boxes.empty()) Builder(boxes, nodes_, items_, leaf_size).build();
 }
 
 }  // namespace inkbench

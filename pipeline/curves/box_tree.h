@@ -45,8 +45,8 @@ class BoxTree {
 
   BoxTree() = default;
   /// Split along the centres' longest side where the sum of the surfaces times the items in them is smallest
-  /// (binned), into leaves of 4 items at most. Time n log n; the same boxes give the same tree.
-  explicit BoxTree(std::span<const Box> boxes);
+  /// (binned), into leaves of `leaf_size` items at most. Time n log n; the same boxes give the same tree.
+  explicit BoxTree(std::span<const Box> boxes, uint32_t leaf_size = 2);
 
   /// Empty for no items. Children stand after their parents.
   const std::vector<Node>& nodes() const { return nodes_; }

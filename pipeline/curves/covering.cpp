@@ -14,6 +14,11 @@ namespace {
 
 constexpr size_t kMostRays = 9;
 constexpr double kPxPerRay = 6.0;
+/// One ray is enough for what is shorter.
+constexpr double kOneRayPx = 2.0;
+/// What is shorter takes what its neighbour has: nobody sees it, and a ray so near to a crossing may run
+/// through an edge.
+constexpr double kUnseenPx = 0.5;
 /// How far beside an outline one looks for what lies behind it.
 constexpr double kBesidePx = 1.0;
 
@@ -43,7 +48,7 @@ Sample sample_on(const ViewLine& line, uint32_t step, double along) {
 /// In the middles of equal shares of the part's length.
 std::vector<Sample> samples_of(const ViewEdge& edge, const ViewLine& line) {
   const auto wanted = static_cast<size_t>(edge.length_px / kPxPerRay);
-  const size_t count = std::clamp<size_t>(wanted | 1U, 3, kMostRays);
+  const size_t count = edge.length_px < kOneRayPx ? 1 : std::clamp<size_t>(wanted | 1U, 3, kMostRays);
   std::vector<Sample> samples;
   double before = 0.0;
   uint32_t step = edge.from;
@@ -114,9 +119,28 @@ void decide(ViewEdge& edge, const ViewLine& line, const Covering& covering) {
       median_vote(samples.size(), [&](size_t i) { return covering.surfaces_before(samples[i].world); });
   if (edge.covered > 0 || !line.covers) return;
   const std::array<size_t, 3> places{samples.size() / 2, 0, samples.size() - 1};
-  edge.behind = static_cast<Behind>(median_vote(places.size(), [&](size_t i) {
+  edge.behind = static_cast<Behind>(median_vote(std::min(samples.size(), places.size()), [&](size_t i) {
     return static_cast<int>(behind_at(samples[places[i]], line, covering));
   }));
+}
+
+/// The parts that rays are sent to: of neighbours that are too short to see one in every `kUnseenPx`, and one
+/// of every line.
+std::vector<uint32_t> asked_edges(std::span<const ViewEdge> edges, const std::vector<ViewLine>& lines) {
+  std::vector<uint32_t> asked;
+  double unasked_px = 0.0;
+  for (uint32_t i = 0; i < edges.size(); ++i) {
+    if (lines[edges[i].line].follows) continue;
+    const bool is_first = i == 0 || edges[i - 1].line != edges[i].line;
+    if (is_first) unasked_px = 0.0;
+    unasked_px += edges[i].length_px;
+    const bool is_last = i + 1 == edges.size() || edges[i + 1].line != edges[i].line;
+    const bool none_yet = asked.empty() || edges[asked.back()].line != edges[i].line;
+    if (unasked_px < kUnseenPx && !(is_last && none_yet)) continue;
+    asked.push_back(i);
+    unasked_px = 0.0;
+  }
+  return asked;
 }
 
 void start_at_change(ViewLine& line) {
@@ -176,10 +200,25 @@ std::vector<ViewEdge> view_edges(std::vector<ViewLine>& lines) {
 
 void decide_covering(std::span<ViewEdge> edges, const std::vector<ViewLine>& lines,
                      const Covering& covering) {
-  for_each_in_parallel(edges.size(), [&](size_t i) {
-    const ViewLine& line = lines[edges[i].line];
-    if (!line.follows) decide(edges[i], line, covering);
+  const std::vector<uint32_t> asked = asked_edges(edges, lines);
+  for_each_in_parallel(asked.size(), [&](size_t i) {
+    ViewEdge& edge = edges[asked[i]];
+    decide(edge, lines[edge.line], covering);
   });
+  // What lies between them goes with the one before, at a line's start with the one after.
+  for (size_t i = 0; i < asked.size(); ++i) {
+    const ViewEdge& edge = edges[asked[i]];
+    const auto copy_to = [&](size_t other) {
+      edges[other].covered = edge.covered;
+      edges[other].behind = edge.behind;
+    };
+    const size_t next = i + 1 < asked.size() ? asked[i + 1] : edges.size();
+    for (size_t j = asked[i] + 1; j < next && edges[j].line == edge.line; ++j) copy_to(j);
+    for (size_t j = asked[i]; j > 0 && edges[j - 1].line == edge.line && (i == 0 || j - 1 > asked[i - 1]) &&
+                              (i == 0 || edges[asked[i - 1]].line != edge.line);
+         --j)
+      copy_to(j - 1);
+  }
 }
 
 }  // namespace inkbench

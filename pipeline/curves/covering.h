@@ -50,7 +50,8 @@ class Covering {
 std::vector<ViewEdge> view_edges(std::vector<ViewLine>& lines);
 
 /// Decides, for all but lines that follow, `covered` and, of lines along edges that cover, `behind`, by rays
-/// to an odd number of places, more on longer parts. On all processors; the result depends on none of that.
+/// to an odd number of places, more on longer parts; parts of less than half a pixel go with their
+/// neighbours. On all processors; the result depends on none of that.
 void decide_covering(std::span<ViewEdge> edges, const std::vector<ViewLine>& lines, const Covering& covering);
 
 }  // namespace inkbench

@@ -2,9 +2,13 @@
 #include "pipeline/curves/crossings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
+#include <span>
+
+#include "pipeline/base/parallel.h"
 
 namespace inkbench {
 namespace {
@@ -12,6 +16,8 @@ namespace {
 constexpr double kCellPx = 8.0;
 /// What rounding may add to a nearness, as a share of it: what touches is as near.
 constexpr double kAsNear = 1e-7;
+/// Less of a share than this is the outline's own running to and fro.
+constexpr double kApart = 2e-3;
 
 /// A step of a line.
 struct Step {
@@ -40,7 +46,7 @@ class CellGrid {
 
  private:
   static constexpr uint32_t kNone = ~0U;
-  struct Link2 {
+  struct Entry {
     uint32_t step, next;
   };
 
@@ -60,11 +66,11 @@ class CellGrid {
     };
     const size_t first_row = clamped(cell_of(top.y - kThick), rows_);
     const size_t last_row = clamped(cell_of(bottom.y + kThick), rows_);
-    const double slope = bottom.y > top.y ? (bottom.x - top.x) / (bottom.y - top.y) : 0.0;
+    const double slope = top.y < bottom.y ? (bottom.x - top.x) / (bottom.y - top.y) : 0.0;
     for (size_t row = first_row; row <= last_row; ++row) {
       double left = std::min(a.x, b.x);
       double right = std::max(a.x, b.x);
-      if (first_row != last_row) {
+      if (top.y < bottom.y) {
         const double row_top = static_cast<double>(row) * kCellPx - kCurveMarginPx - kThick;
         const double x0 = top.x + slope * (std::clamp(row_top, top.y, bottom.y) - top.y);
         const double x1 =
@@ -80,7 +86,7 @@ class CellGrid {
 
   size_t columns_, rows_;
   std::vector<uint32_t> heads_;
-  std::vector<Link2> links_;
+  std::vector<Entry> links_;
 };
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
@@ -104,53 +110,51 @@ std::optional<Meeting> meeting_of(const glm::dvec2& a, const glm::dvec2& b, cons
   return Meeting{along, other_along};
 }
 
+/// What is found on a step.
+struct Found {
+  std::vector<double> places;                     ///< 0 to 1, in order.
+  std::array<std::optional<CurveEnd>, 2> at_end;  ///< At its ends.
+};
+
 class Splitter {
  public:
   Splitter(std::vector<ViewLine>& lines, int width_px, int height_px)
       : lines_(lines), grid_(width_px, height_px) {
     for (uint32_t i = 0; i < lines.size(); ++i) {
-      if (!lines[i].covers) continue;
       for (uint32_t at = 0; at < lines[i].steps.size(); ++at) {
-        grid_.add(static_cast<uint32_t>(steps_.size()), from({i, at}).pixel, to({i, at}).pixel);
+        if (lines[i].covers)
+          grid_.add(static_cast<uint32_t>(steps_.size()), from({i, at}).pixel, to({i, at}).pixel);
         steps_.push_back({i, at});
       }
     }
-    met_.assign(steps_.size(), 0);
+    found_.resize(steps_.size());
   }
 
   void split() {
-    for (uint32_t i = 0; i < lines_.size(); ++i) {
-      std::vector<std::vector<double>> places(lines_[i].steps.size());
-      for (uint32_t at = 0; at < places.size(); ++at) find_on({i, at}, places[at]);
-      found_.push_back(std::move(places));
+    for_each_in_parallel(steps_.size(), [&](size_t i) { find_on(steps_[i], found_[i]); });
+    size_t first = 0;
+    for (ViewLine& line : lines_) {
+      const std::span<const Found> found(found_.data() + first, line.steps.size());
+      first += line.steps.size();
+      mark(line, found);
+      put_points(line, found);
     }
-    for (uint32_t i = 0; i < lines_.size(); ++i) put_points(lines_[i], found_[i]);
   }
 
  private:
   const LinePoint& from(const Step& step) const { return lines_[step.line].points[step.at]; }
   const LinePoint& to(const Step& step) const { return lines_[step.line].points[step.at + 1]; }
 
-  void find_on(const Step& step, std::vector<double>& places) {
-    ++round_;
-    grid_.each_near(from(step).pixel, to(step).pixel, [&](uint32_t number) {
-      if (met_[number] == round_) return;
-      met_[number] = round_;
-      meet(step, steps_[number], places);
-    });
-    std::sort(places.begin(), places.end());
+  void find_on(const Step& step, Found& found) const {
+    std::vector<uint32_t> near;
+    grid_.each_near(from(step).pixel, to(step).pixel, [&](uint32_t number) { near.push_back(number); });
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const uint32_t number : near) meet(step, steps_[number], found);
+    std::sort(found.places.begin(), found.places.end());
   }
 
-  void mark(const Step& step, size_t end, CurveEnd change) {
-    ViewLine& line = lines_[step.line];
-    const size_t at = step.at + end;
-    if (!line.points[at].change) line.points[at].change = change;
-    if (!line.is_closed) return;
-    if (at == 0) line.points.back().change = line.points[0].change;
-    if (at + 1 == line.points.size()) line.points[0].change = line.points.back().change;
-  }
-
-  void meet(const Step& step, const Step& other, std::vector<double>& places) {
+  void meet(const Step& step, const Step& other, Found& found) const {
     if (step.line == other.line && (step.at == other.at || neighbours(step, other))) return;
     if (lines_[step.line].model == lines_[other.line].model) {
       // What shares a point of the surface meets there, whatever rounding says.
@@ -158,7 +162,7 @@ class Splitter {
       for (size_t end = 0; end < 2; ++end) {
         const uint64_t place = (end == 0 ? from(step) : to(step)).place;
         if (place == 0 || (place != from(other).place && place != to(other).place)) continue;
-        mark(step, end, CurveEnd::junction);
+        if (!found.at_end[end]) found.at_end[end] = CurveEnd::junction;
         shared = true;
       }
       if (shared) return;
@@ -169,11 +173,14 @@ class Splitter {
     if (!meeting) return;
     const double own = glm::mix(from(step).pixel.z, to(step).pixel.z, meeting->along);
     const double its = glm::mix(from(other).pixel.z, to(other).pixel.z, meeting->other_along);
-    if (its < own - kAsNear * std::abs(own)) return;
-    if (meeting->along <= 0.0 || meeting->along >= 1.0) {
-      mark(step, meeting->along <= 0.0 ? 0 : 1, CurveEnd::crossing);
-    } else {
-      places.push_back(meeting->along);
+    const bool is_farther = its < own - kAsNear * std::abs(own);
+    // Behind an outline something else is seen from where a farther one passes it.
+    const bool shows = lines_[step.line].covers && its < own - kApart * std::abs(own);
+    if (is_farther && !shows) return;
+    if (meeting->along > 0.0 && meeting->along < 1.0) {
+      found.places.push_back(meeting->along);
+    } else if (std::optional<CurveEnd>& at_end = found.at_end[meeting->along <= 0.0 ? 0 : 1]; !at_end) {
+      at_end = CurveEnd::crossing;
     }
   }
 
@@ -184,14 +191,27 @@ class Splitter {
            (lines_[a.line].is_closed && low == 0 && high + 1 == lines_[a.line].steps.size());
   }
 
-  static void put_points(ViewLine& line, const std::vector<std::vector<double>>& places) {
+  static void mark(ViewLine& line, std::span<const Found> found) {
+    for (size_t at = 0; at < found.size(); ++at) {
+      for (size_t end = 0; end < 2; ++end) {
+        std::optional<CurveEnd>& change = line.points[at + end].change;
+        if (!change) change = found[at].at_end[end];
+      }
+    }
+    if (!line.is_closed) return;
+    LinePoint& first = line.points.front();
+    LinePoint& last = line.points.back();
+    first.change = last.change = first.change ? first.change : last.change;
+  }
+
+  static void put_points(ViewLine& line, std::span<const Found> found) {
     std::vector<LinePoint> points;
     std::vector<LineStep> steps;
     for (size_t at = 0; at < line.steps.size(); ++at) {
       const LinePoint& a = line.points[at];
       const LinePoint& b = line.points[at + 1];
       points.push_back(a);
-      for (const double along : places[at]) {
+      for (const double along : found[at].places) {
         LinePoint point;
         point.pixel = glm::mix(a.pixel, b.pixel, along);
         point.world = glm::mix(a.world, b.world, along_in_world(a, b, along));
@@ -209,10 +229,8 @@ class Splitter {
 
   std::vector<ViewLine>& lines_;
   CellGrid grid_;
-  std::vector<Step> steps_;  ///< Of lines that cover.
-  std::vector<uint32_t> met_;
-  uint32_t round_ = 0;
-  std::vector<std::vector<std::vector<double>>> found_;
+  std::vector<Step> steps_;  ///< Of all lines; the grid holds those that cover.
+  std::vector<Found> found_;
 };
 
 }  // namespace

@@ -2,6 +2,9 @@
 #include "pipeline/curves/cusps.h"
 
 #include <algorithm>
+#include <array>
+
+#include "pipeline/base/parallel.h"
 
 namespace inkbench {
 namespace {
@@ -33,16 +36,31 @@ class RingFace {
 
 class CuspFinder {
  public:
-  CuspFinder(const CurveSource& source, const glm::dmat4& to_world, const CurveView& view)
-      : source_(source), to_world_(to_world), view_(view) {}
+  CuspFinder(const CurveModel& model, const CurveView& view)
+      : source_(*model.source), to_world_(model.to_world), view_(view) {}
 
   /// `before` and `after` are the steps that meet in the edges' common point.
-  bool is_cusp(uint32_t before, uint32_t after) {
+  bool is_cusp(uint32_t before, uint32_t after) const {
     const auto& a = source_.topology().edges[before].points;
     const auto& b = source_.topology().edges[after].points;
     const uint32_t middle = a[0] == b[0] || a[0] == b[1] ? a[0] : a[1];
-    return faces_before(middle, a[0] == middle ? a[1] : a[0]) !=
-           faces_before(middle, b[0] == middle ? b[1] : b[0]);
+    const std::array<uint32_t, 2> ends{a[0] == middle ? a[1] : a[0], b[0] == middle ? b[1] : b[0]};
+    bool in_front = true;
+    const glm::dvec3 at_middle = pixel(middle, in_front);
+    const std::array<glm::dvec3, 2> at_ends{pixel(ends[0], in_front), pixel(ends[1], in_front)};
+    std::array<int, 2> faces_before{};
+    for (const uint32_t face : source_.rings().around(middle)) {
+      const auto& corners = source_.topology().faces[face];
+      const auto at =
+          static_cast<size_t>(std::find(corners.begin(), corners.end(), middle) - corners.begin());
+      const uint32_t next = corners[(at + 1) % 3];
+      const uint32_t last = corners[(at + 2) % 3];
+      const RingFace ring(at_middle, pixel(next, in_front), pixel(last, in_front));
+      for (size_t i = 0; i < 2; ++i) {
+        if (next != ends[i] && last != ends[i] && ring.covers(at_middle, at_ends[i])) ++faces_before[i];
+      }
+    }
+    return in_front && faces_before[0] != faces_before[1];
   }
 
  private:
@@ -53,23 +71,6 @@ class CuspFinder {
     return view_.to_pixel(clip);
   }
 
-  int faces_before(uint32_t middle, uint32_t end) const {
-    int count = 0;
-    bool in_front = true;
-    const glm::dvec3 at_middle = pixel(middle, in_front);
-    const glm::dvec3 at_end = pixel(end, in_front);
-    for (const uint32_t face : source_.rings().around(middle)) {
-      const auto& corners = source_.topology().faces[face];
-      if (std::find(corners.begin(), corners.end(), end) != corners.end()) continue;
-      const auto at =
-          static_cast<size_t>(std::find(corners.begin(), corners.end(), middle) - corners.begin());
-      const RingFace ring(at_middle, pixel(corners[(at + 1) % 3], in_front),
-                          pixel(corners[(at + 2) % 3], in_front));
-      if (ring.covers(at_middle, at_end)) ++count;
-    }
-    return in_front ? count : 0;
-  }
-
   const CurveSource& source_;
   const glm::dmat4& to_world_;
   const CurveView& view_;
@@ -77,19 +78,31 @@ class CuspFinder {
 
 }  // namespace
 
-void mark_cusps(const CurveSource& source, const glm::dmat4& to_world, const CurveView& view,
-                ViewLine& line) {
-  CuspFinder finder(source, to_world, view);
-  const auto is_cusp = [&](size_t before, size_t after) {
-    const uint32_t a = line.steps[before].edge;
-    const uint32_t b = line.steps[after].edge;
-    return a != LineStep::kNone && b != LineStep::kNone && a != b && finder.is_cusp(a, b);
+void mark_cusps(std::span<const CurveModel> models, const CurveView& view, std::vector<ViewLine>& lines) {
+  struct Vertex {
+    uint32_t line = 0, before = 0, after = 0;  // steps
   };
-  for (size_t i = 1; i < line.steps.size(); ++i) {
-    if (!line.points[i].change && is_cusp(i - 1, i)) line.points[i].change = CurveEnd::cusp;
+  std::vector<Vertex> vertices;
+  for (uint32_t i = 0; i < lines.size(); ++i) {
+    const ViewLine& line = lines[i];
+    if (!line.covers) continue;
+    const auto count = static_cast<uint32_t>(line.steps.size());
+    for (uint32_t at = line.is_closed ? 0 : 1; at < count; ++at) {
+      const uint32_t before = (at + count - 1) % count;
+      if (!line.points[at].change && line.steps[before].edge != line.steps[at].edge)
+        vertices.push_back({i, before, at});
+    }
   }
-  if (line.is_closed && !line.points[0].change && is_cusp(line.steps.size() - 1, 0))
-    line.points.front().change = line.points.back().change = CurveEnd::cusp;
+  for_each_in_parallel(vertices.size(), [&](size_t i) {
+    const Vertex& vertex = vertices[i];
+    ViewLine& line = lines[vertex.line];
+    const CuspFinder finder(models[static_cast<size_t>(line.model)], view);
+    if (finder.is_cusp(line.steps[vertex.before].edge, line.steps[vertex.after].edge))
+      line.points[vertex.after].change = CurveEnd::cusp;
+  });
+  for (ViewLine& line : lines) {
+    if (line.is_closed) line.points.back().change = line.points.front().change;
+  }
 }
 
 }  // namespace inkbench

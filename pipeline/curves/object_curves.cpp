@@ -39,10 +39,7 @@ Curves object_curves(std::span<const CurveModel> models, std::span<const ModelCu
   std::vector<ViewLine> lines;
   for (const ViewLine& line : world_lines(models, cuts, view, params)) add_to_view(line, view, lines);
   split_at_crossings(lines, width_px, height_px);
-  for (ViewLine& line : lines) {
-    const CurveModel& model = models[static_cast<size_t>(line.model)];
-    if (line.covers) mark_cusps(*model.source, model.to_world, view, line);
-  }
+  mark_cusps(models, view, lines);
   const bool some_follow =
       std::any_of(lines.begin(), lines.end(), [](const ViewLine& line) { return line.follows; });
   if (!some_follow) std::erase_if(lines, [](const ViewLine& line) { return !line.is_drawn; });

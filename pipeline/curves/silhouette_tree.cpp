@@ -12,6 +12,8 @@ namespace {
 
 /// What rounding may change of a sine; a node that is nearer to turning is looked into.
 constexpr double kSlack = 1e-7;
+/// Looking at an item costs no more than looking at a node.
+constexpr uint32_t kLeafSize = 8;
 
 std::vector<Box> boxes_of_items(std::span<const FacingItem> items) {
   std::vector<Box> boxes;
@@ -23,7 +25,7 @@ std::vector<Box> boxes_of_items(std::span<const FacingItem> items) {
 }  // namespace
 
 SilhouetteTree::SilhouetteTree(std::span<const FacingItem> items)
-    : tree_(boxes_of_items(items)), cones_(tree_.nodes().size()) {
+    : tree_(boxes_of_items(items), kLeafSize), cones_(tree_.nodes().size()) {
   const auto each_normal = [&](const BoxTree::Node& node, const auto& use) {
     for (uint32_t i = node.first; i < node.first + node.count; ++i) {
       for (const glm::dvec3& normal : items[tree_.items()[i]].normals) {
@@ -113,8 +115,9 @@ std::vector<uint32_t> EdgeSilhouettes::find(const MeshTopology& topology, const 
                                             bool mirrored) const {
   std::vector<uint32_t> candidates;
   tree.each_candidate(eye, [&](uint32_t item) { candidates.push_back(edges[item]); });
-  std::sort(candidates.begin(), candidates.end());
-  return silhouette_edges(topology, candidates, eye, mirrored);
+  std::vector<uint32_t> found = silhouette_edges(topology, candidates, eye, mirrored);
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace inkbench

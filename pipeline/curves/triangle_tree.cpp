@@ -56,59 +56,30 @@ bool holds_origin(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
   return (passes_axis(a, b) != passes_axis(b, c)) != passes_axis(c, a);
 }
 
-/// Slabs (Kay and Kajiya 1986). Rounding may make a box larger, never smaller (Ize 2013).
-class BoxTest {
- public:
-  explicit BoxTest(const Ray& ray) : ray_(ray), inverse_(1.0 / ray.direction) {}
-
-  bool operator()(const Box& box, double to) const {
-    double enter = ray_.from;
-    double leave = to;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double low = box.low[axis] - ray_.origin[axis];
-      const double high = box.high[axis] - ray_.origin[axis];
-      if (ray_.direction[axis] == 0.0) {
-        if (low > 0.0 || high < 0.0) return false;
-        continue;
-      }
-      const double a = low * inverse_[axis];
-      const double b = high * inverse_[axis];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    return enter <= leave + kBoxSlack * std::abs(leave);
-  }
-
- private:
-  static constexpr double kBoxSlack = 1e-12;
-  const Ray& ray_;
-  glm::dvec3 inverse_;
-};
-
 }  // namespace
 
-TriangleTree::TriangleTree(const MeshTopology& topology) : topology_(&topology), tree_(boxes_of(topology)) {
+TriangleTree::TriangleTree(const MeshTopology& topology)
+    : topology_(&topology), tree_(boxes_of(topology)), wide_(tree_) {
   if (tree_.nodes().empty()) return;
   on_plane_ = kOnPlaneShare * glm::length(glm::dvec3(tree_.nodes()[0].box.size()));
 }
 
 template <class Use>
 void TriangleTree::each_hit(const Ray& ray, const double& to, Use&& use) const {
-  const BoxTest box_test(ray);
   const Shear shear(ray);
-  tree_.walk([&](uint32_t node) { return box_test(tree_.nodes()[node].box, to); },
-             [&](uint32_t face) {
-               const auto& corners = topology_->faces[face];
-               const glm::dvec3& a = topology_->positions[corners[0]];
-               if (!holds_origin(shear(a), shear(topology_->positions[corners[1]]),
-                                 shear(topology_->positions[corners[2]])))
-                 return;
-               const glm::dvec3& normal = topology_->normals[face];
-               const double along = glm::dot(normal, ray.direction);
-               if (along == 0.0) return;
-               const double t = glm::dot(normal, a - ray.origin) / along;
-               if (t >= ray.from && t <= to) use(face, t);
-             });
+  wide_.walk(ray.origin, ray.direction, ray.from, to, [&](uint32_t place) {
+    const uint32_t face = tree_.items()[place];
+    const auto& corners = topology_->faces[face];
+    const glm::dvec3& a = topology_->positions[corners[0]];
+    if (!holds_origin(shear(a), shear(topology_->positions[corners[1]]),
+                      shear(topology_->positions[corners[2]])))
+      return;
+    const glm::dvec3& normal = topology_->normals[face];
+    const double along = glm::dot(normal, ray.direction);
+    if (along == 0.0) return;
+    const double t = glm::dot(normal, a - ray.origin) / along;
+    if (t >= ray.from && t <= to) use(face, t);
+  });
 }
 
 int TriangleTree::count_passed(const Ray& ray, const glm::dvec3& target) const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "pipeline/curves/box_tree.h"
+#include "pipeline/curves/wide_tree.h"
 #include "pipeline/lines/topology.h"
 
 namespace inkbench {
@@ -43,6 +44,7 @@ class TriangleTree {
 
   const MeshTopology* topology_;
   BoxTree tree_;
+  WideTree wide_;
   double on_plane_ = 0.0;
 };
 

@@ -23,4 +23,12 @@ using Chain = std::vector<uint32_t>;
 std::vector<Chain> chain_links(std::span<const glm::dvec3> positions, std::span<const Link> links,
                                double max_turn_deg);
 
+/// A chain that says which links it uses.
+struct LinkedChain {
+  Chain points;
+  std::vector<uint32_t> links;  ///< From each point to the next.
+};
+std::vector<LinkedChain> linked_chains(std::span<const glm::dvec3> positions, std::span<const Link> links,
+                                       double max_turn_deg);
+
 }  // namespace inkbench

@@ -3,8 +3,9 @@
 // that are strong enough.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
-#include <unordered_map>
+#include <limits>
 #include <vector>
 
 #include "pipeline/lines/chain.h"
@@ -21,20 +22,35 @@ class LineTracer {
     double strength = 0.0;
   };
 
-  void add_step(const Crossing& a, const Crossing& b);
+  /// Ids are smaller than `id_count`.
+  explicit LineTracer(uint32_t id_count) : node_of_id_(id_count, kNoNode) {}
+
+  /// The mean of three crossings of one face.
+  static Crossing middle(uint32_t id, const std::array<Crossing, 3>& crossings);
+
+  /// Through a face.
+  void add_step(uint32_t face, const Crossing& a, const Crossing& b);
 
   /// Runs of a strength of at least `weak` that reach 1 somewhere and are at least `shortest` long.
-  std::vector<Polyline3> lines(LineClass line_class, double weak, double shortest) const;
+  std::vector<SurfaceLine> lines(double weak, double shortest) const;
 
  private:
   uint32_t node(const Crossing& crossing);
-  void add_runs(const Chain& chain, LineClass line_class, double weak, double shortest,
-                std::vector<Polyline3>& lines) const;
+  void add_runs(const LinkedChain& chain, double weak, double shortest,
+                std::vector<SurfaceLine>& lines) const;
+  SurfaceLine line(const LinkedChain& chain, size_t first, size_t last) const;
 
-  std::unordered_map<uint32_t, uint32_t> node_of_id_;
+  static constexpr uint32_t kNoNode = std::numeric_limits<uint32_t>::max();
+
+  std::vector<uint32_t> node_of_id_;
+  std::vector<uint32_t> ids_;
   std::vector<glm::dvec3> points_;
   std::vector<double> strengths_;
   std::vector<Link> links_;
+  std::vector<uint32_t> faces_;  ///< One for each link.
 };
+
+/// The lines with a class.
+std::vector<Polyline3> of_class(LineClass line_class, std::vector<SurfaceLine> lines);
 
 }  // namespace inkbench

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string_view>
@@ -45,10 +46,20 @@ struct Polyline {
   bool operator==(const Polyline&) const = default;
 };
 
+/// A line through the faces of a smooth surface (smooth_surface.h), hidden parts included, in its space.
+struct SurfaceLine {
+  std::vector<glm::dvec3> points;  ///< 2 or more; a closed line repeats its first point at the end.
+  std::vector<uint32_t>
+      crossings;                ///< For each point the edge that it lies on, as `SmoothSurface::crossings`
+                                ///< numbers them; from `crossing_count` on: in the middle of a face.
+  std::vector<uint32_t> faces;  ///< From each point to the next: the face that the line runs through.
+};
+
 /// A line in the space of a mesh, hidden parts included.
 struct Polyline3 {
   LineClass line_class = LineClass::silhouette;
-  std::vector<glm::dvec3> points;  ///< 2 or more; a closed line repeats its first point at the end.
+  std::vector<glm::dvec3> points;          ///< 2 or more; a closed line repeats its first point at the end.
+  std::vector<uint32_t> crossings, faces;  ///< Of lines of a smooth surface: as a `SurfaceLine`'s.
 };
 
 }  // namespace inkbench

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "pipeline/lines/line_tracer.h"
+#include "pipeline/lines/principal.h"
 #include "pipeline/lines/smooth_lines.h"
 
 namespace inkbench {
@@ -21,28 +22,16 @@ struct Extremality {
   std::vector<double> second;         ///< The derivative's derivative along it.
 };
 
-/// Any unit vector at right angles to a unit vector.
-glm::dvec3 perpendicular(const glm::dvec3& normal) {
-  const glm::dvec3 other = std::abs(normal.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-  return glm::normalize(glm::cross(normal, other));
-}
-
 void find_principal(const SmoothSurface& surface, double sign, Extremality& result) {
   const size_t count = surface.positions.size();
   result.curvature.resize(count);
   result.other.resize(count);
   result.direction.resize(count);
   for (size_t i = 0; i < count; ++i) {
-    const glm::dvec3 u = perpendicular(surface.normals[i]);
-    const glm::dvec3 v = glm::cross(surface.normals[i], u);
-    const double uu = sign * quadratic_form(surface.curvature[i], u);
-    const double vv = sign * quadratic_form(surface.curvature[i], v);
-    const double uv = (sign * quadratic_form(surface.curvature[i], u + v) - uu - vv) / 2.0;
-    const double spread = std::hypot((uu - vv) / 2.0, uv);
-    const double angle = 0.5 * std::atan2(2.0 * uv, uu - vv);
-    result.curvature[i] = (uu + vv) / 2.0 + spread;
-    result.other[i] = (uu + vv) / 2.0 - spread;
-    result.direction[i] = std::cos(angle) * u + std::sin(angle) * v;
+    const Principal principal = principal_of(surface.curvature[i], surface.normals[i], sign);
+    result.curvature[i] = principal.larger;
+    result.other[i] = principal.smaller;
+    result.direction[i] = principal.direction;
   }
 }
 
@@ -83,11 +72,14 @@ Extremality extremality_of(const SmoothSurface& surface, double sign) {
 class RidgeFinder {
  public:
   RidgeFinder(const SmoothSurface& surface, double sign, const SmoothLineParams& params)
-      : surface_(surface), params_(params), extremality_(extremality_of(surface, sign)) {}
+      : surface_(surface),
+        params_(params),
+        extremality_(extremality_of(surface, sign)),
+        tracer_(surface.line_ids()) {}
 
   std::vector<Polyline3> find(LineClass line_class) {
     for (uint32_t f = 0; f < surface_.faces.size(); ++f) add_face(f);
-    return tracer_.lines(line_class, params_.weak_share, params_.shortest * surface_.radius);
+    return of_class(line_class, tracer_.lines(params_.weak_share, params_.shortest * surface_.radius));
   }
 
  private:
@@ -105,18 +97,14 @@ class RidgeFinder {
       found[count++] = {surface_.crossings[f][i],
                         glm::mix(surface_.positions[a], surface_.positions[b], share), strength(a, b, share)};
     }
-    if (count == 2) tracer_.add_step(found[0], found[1]);
+    if (count == 2) tracer_.add_step(f, found[0], found[1]);
     if (count == 3) add_meeting(f, found);
   }
 
   /// Three ridges meet in the middle of the face.
   void add_meeting(uint32_t f, const std::array<LineTracer::Crossing, 3>& found) {
-    LineTracer::Crossing middle{surface_.crossing_count + f, glm::dvec3(0.0), 0.0};
-    for (const LineTracer::Crossing& crossing : found) {
-      middle.point += crossing.point / 3.0;
-      middle.strength += crossing.strength / 3.0;
-    }
-    for (const LineTracer::Crossing& crossing : found) tracer_.add_step(crossing, middle);
+    const LineTracer::Crossing middle = LineTracer::middle(surface_.crossing_count + f, found);
+    for (const LineTracer::Crossing& crossing : found) tracer_.add_step(f, crossing, middle);
   }
 
   /// Whether the derivative changes its sign along an edge, once both directions agree; `share`: where. Signs

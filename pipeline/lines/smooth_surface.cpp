@@ -78,6 +78,19 @@ void number_crossings(const MeshTopology& topology, SmoothSurface& surface) {
   }
 }
 
+void collect_point_faces(SmoothSurface& surface) {
+  surface.face_starts.assign(surface.positions.size() + 1, 0);
+  for (const Face& face : surface.faces) {
+    for (const uint32_t point : face) ++surface.face_starts[point + 1];
+  }
+  std::partial_sum(surface.face_starts.begin(), surface.face_starts.end(), surface.face_starts.begin());
+  std::vector<uint32_t> filled(surface.face_starts.begin(), surface.face_starts.end() - 1);
+  surface.point_faces.resize(3 * surface.faces.size());
+  for (uint32_t f = 0; f < surface.faces.size(); ++f) {
+    for (const uint32_t point : surface.faces[f]) surface.point_faces[filled[point]++] = f;
+  }
+}
+
 // ---- Normals and curvature, not smoothed.
 
 struct FaceShape {
@@ -85,7 +98,7 @@ struct FaceShape {
   glm::dvec3 normal;                ///< Twice the area long.
 };
 
-FaceShape shape_of(const SmoothSurface& surface, const Face& face) {
+inline FaceShape shape_of(const SmoothSurface& surface, const Face& face) {
   FaceShape shape{};
   for (size_t i = 0; i < 3; ++i)
     shape.edges[i] = surface.positions[face[(i + 1) % 3]] - surface.positions[face[i]];
@@ -303,6 +316,7 @@ SmoothSurface make_smooth_surface(const MeshTopology& topology, double crease_an
   const std::vector<uint8_t> smooth = smooth_edges(topology, crease_angle_deg, stretch);
   split_into_parts(topology, smooth, stretch, surface);
   number_crossings(topology, surface);
+  collect_point_faces(surface);
   surface.radius = half_diagonal(surface.positions);
   find_normals(surface);
   surface.point_normals = surface.normals;
@@ -322,24 +336,27 @@ glm::dvec3 gradient_on_face(const SmoothSurface& surface, uint32_t face, const g
   return glm::cross(shape.normal, along) / squared;
 }
 
-std::vector<glm::dvec3> gradient_at_points(const SmoothSurface& surface, const std::vector<double>& scalar) {
-  std::vector<glm::dvec3> gradients(surface.positions.size(), glm::dvec3(0.0));
-  std::vector<double> areas(surface.positions.size(), 0.0);
-  for (uint32_t f = 0; f < surface.faces.size(); ++f) {
-    const Face& face = surface.faces[f];
+glm::dvec3 gradient_at_point(const SmoothSurface& surface, const std::vector<double>& scalar,
+                             uint32_t point) {
+  glm::dvec3 gradient(0.0);
+  double areas = 0.0;
+  for (uint32_t i = surface.face_starts[point]; i < surface.face_starts[point + 1]; ++i) {
+    const Face& face = surface.faces[surface.point_faces[i]];
     const FaceShape shape = shape_of(surface, face);
     const double area = glm::length(shape.normal);
     if (!(area > 0.0)) continue;
     const glm::dvec3 along = scalar[face[0]] * shape.edges[1] + scalar[face[1]] * shape.edges[2] +
                              scalar[face[2]] * shape.edges[0];
-    const glm::dvec3 weighted = glm::cross(shape.normal, along) / area;
-    for (const uint32_t point : face) {
-      gradients[point] += weighted;
-      areas[point] += area;
-    }
+    gradient += glm::cross(shape.normal, along) / area;
+    areas += area;
   }
-  for (size_t point = 0; point < areas.size(); ++point)
-    gradients[point] /= areas[point] > 0.0 ? areas[point] : 1.0;
+  return gradient / (areas > 0.0 ? areas : 1.0);
+}
+
+std::vector<glm::dvec3> gradient_at_points(const SmoothSurface& surface, const std::vector<double>& scalar) {
+  std::vector<glm::dvec3> gradients(surface.positions.size());
+  for (uint32_t point = 0; point < gradients.size(); ++point)
+    gradients[point] = gradient_at_point(surface, scalar, point);
   return gradients;
 }
 

@@ -30,7 +30,12 @@ struct SmoothSurface {
   /// Where a line crosses the edge from corner i to corner i + 1: equal for faces of one part on both sides.
   std::vector<std::array<uint32_t, 3>> crossings;
   uint32_t crossing_count = 0;
-  double radius = 0.0;  ///< Half the diagonal of the bounding box.
+  double radius = 0.0;                ///< Half the diagonal of the bounding box.
+  std::vector<uint32_t> face_starts;  ///< For each point where its faces begin in `point_faces`; and the end.
+  std::vector<uint32_t> point_faces;  ///< The faces around each point, in their order.
+
+  /// Crossings, and the middle of each face after them.
+  uint32_t line_ids() const { return crossing_count + static_cast<uint32_t>(faces.size()); }
 };
 
 /// `smoothing`: standard deviation of the Gaussian-like weights, along the surface, by which first normals
@@ -42,6 +47,9 @@ SmoothSurface make_smooth_surface(const MeshTopology& topology, double crease_an
 
 /// Gradient of a scalar given at the points: that of the faces, averaged by area.
 std::vector<glm::dvec3> gradient_at_points(const SmoothSurface& surface, const std::vector<double>& scalar);
+
+/// The same at one point.
+glm::dvec3 gradient_at_point(const SmoothSurface& surface, const std::vector<double>& scalar, uint32_t point);
 
 /// Gradient of a scalar that is linear on a face, from its values at the corners; 0 on a face without area.
 glm::dvec3 gradient_on_face(const SmoothSurface& surface, uint32_t face, const glm::dvec3& scalar);

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 #include "pipeline/lines/line_tracer.h"
 #include "pipeline/lines/smooth_lines.h"
@@ -39,39 +40,68 @@ Radial radial_of(const SmoothSurface& surface, const Viewpoint& eye) {
   return radial;
 }
 
-}  // namespace
+class SuggestiveFinder {
+ public:
+  SuggestiveFinder(const SmoothSurface& surface, const Viewpoint& eye, const SmoothLineParams& params)
+      : surface_(surface),
+        radial_(radial_of(surface, eye)),
+        towards_eye_(surface.positions.size(), std::numeric_limits<double>::quiet_NaN()),
+        least_derivative_(params.suggestive_derivative / (surface.radius * surface.radius)),
+        largest_cosine_(std::cos(glm::radians(params.suggestive_angle_deg))),
+        tracer_(surface.line_ids()) {}
 
-std::vector<Polyline3> suggestive_contours(const SmoothSurface& surface, const Viewpoint& eye,
-                                           const SmoothLineParams& params) {
-  const Radial radial = radial_of(surface, eye);
-  const std::vector<glm::dvec3> gradients = gradient_at_points(surface, radial.curvature);
-  const double least_derivative = params.suggestive_derivative / (surface.radius * surface.radius);
-  const double largest_cosine = std::cos(glm::radians(params.suggestive_angle_deg));
-  const auto strength = [&](uint32_t a, uint32_t b, double share) {
-    const double cosine = glm::mix(radial.cosine[a], radial.cosine[b], share);
-    if (!(cosine > 0.0) || cosine > largest_cosine) return 0.0;
-    return glm::mix(glm::dot(gradients[a], radial.direction[a]), glm::dot(gradients[b], radial.direction[b]),
-                    share) /
-           least_derivative;
-  };
-  LineTracer tracer;
-  for (uint32_t f = 0; f < surface.faces.size(); ++f) {
-    const std::array<uint32_t, 3>& face = surface.faces[f];
+  std::vector<SurfaceLine> find(double weak, double shortest) {
+    for (uint32_t f = 0; f < surface_.faces.size(); ++f) add_face(f);
+    return tracer_.lines(weak, shortest);
+  }
+
+ private:
+  void add_face(uint32_t f) {
+    const std::array<uint32_t, 3>& face = surface_.faces[f];
+    const auto is_concave = [&](size_t i) { return radial_.curvature[face[i]] < 0.0; };
+    if (is_concave(0) == is_concave(1) && is_concave(1) == is_concave(2)) return;
     std::array<LineTracer::Crossing, 3> found;
     size_t count = 0;
     for (size_t i = 0; i < 3; ++i) {
       // From the smaller index on, so that both faces of an edge compute the same place.
       const auto [a, b] = std::minmax(face[i], face[(i + 1) % 3]);
-      const double at_a = radial.curvature[a];
-      const double at_b = radial.curvature[b];
+      const double at_a = radial_.curvature[a];
+      const double at_b = radial_.curvature[b];
       if ((at_a < 0.0) == (at_b < 0.0)) continue;
       const double share = at_a / (at_a - at_b);
-      found[count++] = {surface.crossings[f][i], glm::mix(surface.positions[a], surface.positions[b], share),
-                        strength(a, b, share)};
+      found[count++] = {surface_.crossings[f][i],
+                        glm::mix(surface_.positions[a], surface_.positions[b], share), strength(a, b, share)};
     }
-    if (count == 2) tracer.add_step(found[0], found[1]);
+    if (count == 2) tracer_.add_step(f, found[0], found[1]);
   }
-  return tracer.lines(LineClass::suggestive, params.weak_share, params.shortest * surface.radius);
+
+  double strength(uint32_t a, uint32_t b, double share) {
+    const double cosine = glm::mix(radial_.cosine[a], radial_.cosine[b], share);
+    if (!(cosine > 0.0) || cosine > largest_cosine_) return 0.0;
+    return glm::mix(towards_eye(a), towards_eye(b), share) / least_derivative_;
+  }
+
+  /// The curvature's derivative in that direction, worked out where somebody asks.
+  double towards_eye(uint32_t point) {
+    double& derivative = towards_eye_[point];
+    if (std::isnan(derivative))
+      derivative = glm::dot(gradient_at_point(surface_, radial_.curvature, point), radial_.direction[point]);
+    return derivative;
+  }
+
+  const SmoothSurface& surface_;
+  Radial radial_;
+  std::vector<double> towards_eye_;
+  double least_derivative_, largest_cosine_;
+  LineTracer tracer_;
+};
+
+}  // namespace
+
+std::vector<Polyline3> suggestive_contours(const SmoothSurface& surface, const Viewpoint& eye,
+                                           const SmoothLineParams& params) {
+  SuggestiveFinder finder(surface, eye, params);
+  return of_class(LineClass::suggestive, finder.find(params.weak_share, params.shortest * surface.radius));
 }
 
 }  // namespace inkbench

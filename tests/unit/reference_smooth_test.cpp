@@ -297,20 +297,21 @@ TEST(ReferenceFeatures, stretch_is_that_of_a_stretched_mesh) {
 
 // ---- What is strong enough
 
-std::vector<Polyline3> traced(const std::vector<double>& strengths, bool closed, double weak,
-                              double shortest) {
-  LineTracer tracer;
+std::vector<SurfaceLine> traced(const std::vector<double>& strengths, bool closed, double weak,
+                                double shortest) {
+  LineTracer tracer(static_cast<uint32_t>(strengths.size()));
   const auto at = [&](size_t i) {
     return LineTracer::Crossing{static_cast<uint32_t>(i), glm::dvec3(static_cast<double>(i), 0.0, 0.0),
                                 strengths[i]};
   };
-  for (size_t i = 1; i < strengths.size(); ++i) tracer.add_step(at(i - 1), at(i));
-  if (closed) tracer.add_step(at(strengths.size() - 1), at(0));
-  return tracer.lines(LineClass::ridge, weak, shortest);
+  for (size_t i = 1; i < strengths.size(); ++i) tracer.add_step(static_cast<uint32_t>(i), at(i - 1), at(i));
+  if (closed) tracer.add_step(0, at(strengths.size() - 1), at(0));
+  return tracer.lines(weak, shortest);
 }
 
 TEST(ReferenceTracer, line_goes_on_down_to_the_weak_share_if_it_is_strong_somewhere) {
-  const std::vector<Polyline3> lines = traced({0.6, 1.1, 0.7, 0.2, 0.9, 0.9, 0.4, 1.0, 2.0}, false, 0.5, 0.0);
+  const std::vector<SurfaceLine> lines =
+      traced({0.6, 1.1, 0.7, 0.2, 0.9, 0.9, 0.4, 1.0, 2.0}, false, 0.5, 0.0);
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0].points.size(), 3U);
   EXPECT_EQ(lines[1].points.size(), 2U);
@@ -323,12 +324,45 @@ TEST(ReferenceTracer, short_lines_are_dropped) {
 }
 
 TEST(ReferenceTracer, run_across_the_start_of_a_ring_is_one_line) {
-  const std::vector<Polyline3> lines = traced({2.0, 2.0, 0.1, 2.0, 2.0}, true, 0.5, 0.0);
+  const std::vector<SurfaceLine> lines = traced({2.0, 2.0, 0.1, 2.0, 2.0}, true, 0.5, 0.0);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].points.size(), 4U);
-  const std::vector<Polyline3> ring = traced({2.0, 2.0, 2.0, 2.0}, true, 0.5, 0.0);
+  const std::vector<SurfaceLine> ring = traced({2.0, 2.0, 2.0, 2.0}, true, 0.5, 0.0);
   ASSERT_EQ(ring.size(), 1U);
   EXPECT_EQ(ring[0].points.front(), ring[0].points.back());
+}
+
+TEST(ReferenceTracer, lines_name_the_edges_they_cross_and_the_faces_between) {
+  const std::vector<SurfaceLine> line = traced({0.1, 1.0, 1.0, 1.0}, false, 0.5, 0.0);
+  ASSERT_EQ(line.size(), 1U);
+  EXPECT_EQ(line[0].crossings, (std::vector<uint32_t>{1, 2, 3}));
+  EXPECT_EQ(line[0].faces, (std::vector<uint32_t>{2, 3}));
+  const std::vector<SurfaceLine> ring =
+      traced({2.0, 2.0, 1.0, 2.0}, true, 0.5, 0.0);  // from its weakest point
+  ASSERT_EQ(ring.size(), 1U);
+  EXPECT_EQ(ring[0].crossings.front(), 2U);
+  ASSERT_EQ(ring[0].faces.size(), 4U);
+  for (size_t i = 0; i < 4; ++i) {
+    const auto [a, b] = std::minmax(ring[0].crossings[i], ring[0].crossings[i + 1]);
+    EXPECT_EQ(ring[0].faces[i], a == 0 && b == 3 ? 0U : b);
+  }
+}
+
+TEST(ReferenceTracer, smooth_lines_run_from_edge_to_edge_of_the_faces_they_name) {
+  FeatureParams params;
+  params.smooth_lines.suggestive_derivative = 0.3;
+  const MeshFeatures features = make_features(make_topology(make_torus(96, 0.4F)), params);
+  const std::vector<Polyline3> lines = suggestive_contours(features, {0.0, 4.0, 3.0});
+  ASSERT_FALSE(lines.empty());
+  for (const Polyline3& line : lines) {
+    ASSERT_EQ(line.crossings.size(), line.points.size());
+    ASSERT_EQ(line.faces.size() + 1, line.points.size());
+    for (size_t i = 0; i < line.faces.size(); ++i) {
+      const std::array<uint32_t, 3>& edges = features.surface.crossings[line.faces[i]];
+      EXPECT_NE(std::find(edges.begin(), edges.end(), line.crossings[i]), edges.end());
+      EXPECT_NE(std::find(edges.begin(), edges.end(), line.crossings[i + 1]), edges.end());
+    }
+  }
 }
 
 }  // namespace

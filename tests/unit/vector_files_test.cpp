@@ -67,6 +67,67 @@ TEST(StrokesSvg, class_has_its_opacity_once_and_each_place_one_path) {
   EXPECT_EQ(count_of(svg, "<path"), 2);
 }
 
+/// Two strokes that cross, of a class and of a later one, with their opacities.
+std::string crossing_svg(float of_silhouette, float of_crease) {
+  StrokeInk ink;
+  ink.classes[static_cast<size_t>(CurveClass::silhouette)].opacity = of_silhouette;
+  ink.classes[static_cast<size_t>(CurveClass::crease)].opacity = of_crease;
+  const Strokes strokes{100,
+                        80,
+                        {of(stroke_through({{{50, 5}, 2.0F}, {{50, 75}, 2.0F}}), CurveClass::silhouette, 1),
+                         of(stroke_through({{{5, 40}, 2.0F}, {{95, 40}, 2.0F}}), CurveClass::crease, 1)}};
+  return strokes_svg(strokes, ink, small_page());
+}
+
+TEST(StrokesSvg, classes_of_one_opacity_have_it_together) {
+  const std::string svg = crossing_svg(0.5F, 0.5F);
+  EXPECT_THAT(svg, HasSubstr("<g id=\"strokes\" opacity=\".5\">"));
+  EXPECT_EQ(count_of(svg, "opacity"), 1);
+}
+
+TEST(StrokesSvg, opaque_class_lies_over_a_fainter_one) {
+  EXPECT_EQ(count_of(crossing_svg(1.0F, 0.5F), "<path"), 2);
+}
+
+TEST(StrokesSvg, faint_class_leaves_its_place_to_an_earlier_faint_one) {
+  StrokeInk ink;
+  for (StrokeClassParams& look : ink.classes) look.opacity = 0.5F;
+  ink.classes[static_cast<size_t>(CurveClass::boundary)].opacity = 1.0F;
+  const Strokes strokes{100,
+                        80,
+                        {of(stroke_through({{{50, 5}, 2.0F}, {{50, 75}, 2.0F}}), CurveClass::silhouette, 1),
+                         of(stroke_through({{{5, 40}, 2.0F}, {{95, 40}, 2.0F}}), CurveClass::crease, 1),
+                         of(stroke_through({{{5, 2}, 1.0F}, {{95, 2}, 1.0F}}), CurveClass::boundary, 1)}};
+  EXPECT_EQ(count_of(strokes_svg(strokes, ink, small_page()), "<path"), 4);  // the crease in two parts
+}
+
+TEST(StrokesSvg, colours_of_the_shading_change_along_a_stroke) {
+  StrokeInk ink;
+  ink.stroke.colour = StrokeColour::shading;
+  ink.stroke.darken = 0.0F;
+  ink.surface = {Image(100, 80, 3, 1.0F), Image(100, 80, 1), Image(100, 80, 1)};
+  for (int y = 0; y < 80; ++y) {
+    for (int x = 0; x < 50; ++x) ink.surface.colours.at(x, y, 0) = 0.2F;
+  }
+  Strokes strokes{100, 80, {stroke_through({{{5, 40}, 2.0F}, {{30, 40}, 2.0F}, {{95, 40}, 2.0F}})}};
+  const std::string svg = strokes_svg(strokes, ink, small_page());
+  EXPECT_THAT(svg, HasSubstr("<path fill=\"#33ffff\""));
+  EXPECT_THAT(svg, HasSubstr("<path fill=\"#ffffff\""));
+}
+
+TEST(SurfaceColours, stroke_beside_an_object_has_its_colour) {
+  SurfaceColours surface{Image(40, 40, 3, 1.0F), Image(40, 40, 1, 9.0F), Image(40, 40, 1)};
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 20; ++x) {
+      surface.colours.at(x, y, 1) = 0.5F;
+      surface.depth.at(x, y) = 2.0F;
+      surface.object_ids.at(x, y) = 1.0F;
+    }
+  }
+  EXPECT_EQ(surface.at({21.5F, 20.0F}), glm::vec3(1.0F, 0.5F, 1.0F));
+  EXPECT_EQ(surface.at({30.0F, 20.0F}), glm::vec3(1.0F));
+}
+
 TEST(StrokesSvg, parts_that_do_not_touch_are_paths_of_their_own) {
   Strokes strokes{100,
                   80,
@@ -90,6 +151,14 @@ TEST(StrokesSvg, says_that_it_cannot_hold_paint) {
   EXPECT_THAT(strokes_svg(few_strokes(), ink, small_page()), Not(HasSubstr("<desc>")));
   ink.stroke.brush = Brush::charcoal;
   EXPECT_THAT(strokes_svg(few_strokes(), ink, small_page()), HasSubstr("stroke.brush = charcoal cannot"));
+}
+
+TEST(VectorFiles, entries_are_read_as_they_were_written) {
+  VectorPage page = small_page();
+  page.about["inkbench:files"] = "a & b &lt; \"c\"\n> d";
+  const std::string svg = strokes_svg(few_strokes(), {}, page);
+  EXPECT_EQ(svg_entry(svg, "inkbench:files"), page.about["inkbench:files"]);
+  EXPECT_EQ(svg_entry(svg, "inkbench:nothing"), "");
 }
 
 TEST(VectorFiles, carry_their_parameters_as_text) {
