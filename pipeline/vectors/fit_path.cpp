@@ -61,11 +61,13 @@ class SectionFitter {
     first_ = first;
     last_ = last;
     is_round_ = is_round;
-    for (size_t at = first; at < last;) {
-      const auto [end, piece] = longest_from(at);
+    std::vector<size_t> joints{first};
+    while (joints.back() < last) {
+      const auto [end, piece] = longest_from(joints.back());
       pieces.push_back(piece);
-      at = end;
+      joints.push_back(end);
     }
+    if (joints.size() > 2) share_evenly(joints[joints.size() - 3], last, pieces);
   }
 
  private:
@@ -79,11 +81,22 @@ class SectionFitter {
 
   std::optional<PathPiece> piece(size_t from, size_t to) const {
     const auto run = points_.subspan(from, to - from + 1);
-    if (most_from_chord(run) <= options_.line_share * options_.error)
-      return PathPiece{{}, {}, run.back(), true};
+    const double share =
+        from == first_ && to == last_ ? options_.line_share : std::min(options_.line_share, kLineShare);
+    if (most_from_chord(run) <= share * options_.error) return PathPiece{{}, {}, run.back(), true};
     const auto cubic = fit_cubic(run, tangent(from, 1), tangent(to, -1), options_.error);
     if (!cubic) return std::nullopt;
     return PathPiece{cubic->leave, cubic->enter, cubic->end, false};
+  }
+
+  /// What is left for the last piece may be short, with a bend where it begins: so it and the one before
+  /// share their run in halves, where that fits.
+  void share_evenly(size_t from, size_t to, std::vector<PathPiece>& pieces) const {
+    const size_t middle = (from + to) / 2;
+    const auto before = piece(from, middle), after = piece(middle, to);
+    if (!before || !after || before->is_line || after->is_line) return;
+    pieces[pieces.size() - 2] = *before;
+    pieces.back() = *after;
   }
 
   /// Doubled until no curve fits, then the largest between.
@@ -103,6 +116,8 @@ class SectionFitter {
     while (good + 1 < bad) try_to((good + bad) / 2);
     return {good, best};
   }
+
+  static constexpr double kLineShare = 0.25;  ///< Of the error, for a line that goes on in another piece.
 
   std::span<const glm::dvec2> points_;
   const Course& course_;

@@ -13,7 +13,7 @@ namespace inkbench {
 struct FitOptions {
   double error = 0.05;        ///< How far path and polyline are apart at most, in the points' unit.
   double corner_deg = 40.0;   ///< What turns more is a corner, where the path may bend.
-  double line_share = 0.25;   ///< What is within that share of the error of its chord is a line.
+  double line_share = 0.25;   ///< What goes from corner to corner within that share of the error is a line.
   double corner_reach = 1.0;  ///< Over which length before and after a point its turn is looked at.
 };
 

@@ -156,9 +156,25 @@ CubicPath path_through(const Points& corners, const std::vector<size_t>& ends, c
   return path;
 }
 
-CubicPath smooth_border(const Border& border, const std::array<glm::dvec2, 2>& places, double error_px) {
+/// Where the border turns sharply. Near its ends a staircase may look so: there only the image's corners
+/// count.
+std::vector<size_t> sharp_corners(const Points& corners, bool is_round, const glm::ivec2& size) {
+  const Course course(corners, is_round);
+  std::vector<size_t> sharp = course.corners(kCornerDeg, kCornerReach);
+  const auto is_uncertain = [&](size_t corner) {
+    const glm::dvec2 at = corners[corner];
+    const bool is_of_image = (at.x == 0.0 || at.x == size.x) && (at.y == 0.0 || at.y == size.y);
+    const double to_end = std::min(course.between(0, corner), course.between(corner, corners.size() - 1));
+    return !is_round && !is_of_image && to_end < kCornerReach / 2.0;
+  };
+  sharp.erase(std::remove_if(sharp.begin(), sharp.end(), is_uncertain), sharp.end());
+  return sharp;
+}
+
+CubicPath smooth_border(const Border& border, const std::array<glm::dvec2, 2>& places, const glm::ivec2& size,
+                        double error_px) {
   Points corners(border.corners.begin(), border.corners.end());
-  std::vector<size_t> ends = Course(corners, border.is_round).corners(kCornerDeg, kCornerReach);
+  std::vector<size_t> ends = sharp_corners(corners, border.is_round, size);
   if (border.is_round && ends.empty()) return round_path(corners, error_px);
   if (border.is_round) {
     const size_t first = ends.front();
@@ -180,7 +196,7 @@ std::vector<CubicPath> smooth_borders(const BorderNetwork& network, double error
   std::vector<CubicPath> paths;
   for (size_t i = 0; i < network.borders.size(); ++i) {
     stop_if_asked();
-    paths.push_back(smooth_border(network.borders[i], places[i], error_px));
+    paths.push_back(smooth_border(network.borders[i], places[i], network.size, error_px));
   }
   return paths;
 }
