@@ -78,6 +78,10 @@ struct StrokeLookInput {
 
 }  // namespace
 
+float surface_reach_px(float widest_px) {
+  return std::clamp(0.5F * widest_px + 1.0F, 4.0F, static_cast<float>(kMostColourReachPx));
+}
+
 constinit const BufferName BufferName::strokes{kStrokes};
 
 const PassKind& StrokeColours::kind() {
@@ -98,7 +102,7 @@ Texture StrokeColoursPass::run(const StrokeLook& look, const StrokeChannels& cha
   const auto& [first, next, last] = channels.classes;
   Texture colours("stroke colours", TextureFormat::rgba32f, first.width_px(), first.height_px());
   StrokeLookBlock block = block_of(look);
-  block.reach_px = std::clamp(0.5F * channels.widest_px + 1.0F, 4.0F, static_cast<float>(kMostColourReachPx));
+  block.reach_px = surface_reach_px(channels.widest_px);
   const Buffer uniforms = uniform_buffer("stroke look block", block);
   const Texture* surface = albedo != nullptr ? albedo : shaded;
   if (surface == nullptr || gbuffer == nullptr)

@@ -22,6 +22,8 @@ struct StrokeLook {
 
 /// No surface farther than this from a pixel gives it its colour.
 inline constexpr int kMostColourReachPx = 32;
+/// And how far that is for strokes that are at most so wide.
+float surface_reach_px(float widest_px);
 
 class StrokeColoursPass {
  public:
