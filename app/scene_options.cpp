@@ -4,9 +4,11 @@
 #include "app/size_option.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
+#include "pipeline/base/text.h"
 #include "pipeline/export.h"
 #include "pipeline/mesh/levels/replace_mesh.h"
 #include "pipeline/mesh/levels/scene_file.h"
+#include "pipeline/settings/style_file.h"
 
 namespace inkbench {
 namespace {
@@ -29,6 +31,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("--mesh", options.mesh,
                      "Mesh file (OBJ, PLY, OFF, STL, glTF, FBX and more) to put where the main model stands");
   command.add_option("--size", options.size, "Image size in px, as WIDTHxHEIGHT");
+  command.add_option("--style", options.style,
+                     "Draw strokes in a style: " + join(style_names(), ", ") + ", or a file");
   command
       .add_option("--set", options.assignments,
                   "KEY=VALUE: set a parameter (`inkbench params` lists them); repeatable")
@@ -42,6 +46,7 @@ ChosenScene chosen_scene(const SceneOptions& options) {
   ChosenScene chosen = base_scene(options, origin);
   if (!options.mesh.empty()) replace_main_mesh(chosen.settings, options.mesh);
   if (!options.size.empty()) apply_size(chosen.settings, options.size);
+  if (!options.style.empty()) apply_style(chosen.settings, options.style, fs::current_path(), "--style");
   for (const std::string& assignment : options.assignments) apply_assignment(chosen.settings, assignment);
   check_settings(chosen.settings);
   if (origin) {

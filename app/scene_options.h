@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The options by which commands that draw choose what is drawn: `--scene`, `--from`, `--mesh`, `--size`,
-// `--set`.
+// `--style`, `--set`.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@
 namespace inkbench {
 
 struct SceneOptions {
-  std::string scene, from, mesh, size;
+  std::string scene, from, mesh, size, style;
   std::vector<std::string> assignments;
 };
 

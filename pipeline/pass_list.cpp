@@ -38,6 +38,7 @@
 #include "pipeline/passes/ink/published_look.h"
 #include "pipeline/passes/ink/seeds.h"
 #include "pipeline/passes/ink/strokes_over.h"
+#include "pipeline/passes/ink/under_ink.h"
 #include "pipeline/passes/light/shade.h"
 #include "pipeline/passes/lines/reference.h"
 #include "pipeline/passes/placing/candidates.h"
@@ -85,7 +86,7 @@ std::vector<const PassKind*>& list() {
       &StrokesPass::kind(), &StrokePaint::kind(), &StrokeInkPass::kind(), &StrokeColours::kind(),
       // what is drawn over the shading
       &BothInksPass::kind(), &DrawnInk::kind(), &LinesPass::kind(),
-      &InkPass::kind(), &BelowStrokes::kind(), &StrokesOverPass::kind(), &FinalImage::kind(),
+      &PaperPass::kind(), &UnderInk::kind(), &InkPass::kind(), &BelowStrokes::kind(), &StrokesOverPass::kind(), &FinalImage::kind(),
       // beside the chain
       &ReferencePass::kind(), &MotionPass::kind(),
   };

@@ -8,9 +8,10 @@
 float painted(Touch touch) {
   float unit = strokes.length_px / 64.0;
   float streak = noise_at(vec2(repetition_at(touch), touch.across * 3.0 + 40.0), touch.seed);
-  float edge = 1.0 - smoothstep(0.0, 1.6 * unit, touch.foot.inside - 0.2 * unit);
-  float body = 1.0 - strokes.grain * (0.55 + 0.25 * (streak - 0.5));
-  return solid_share(touch.foot) * mix(body, 1.0, 0.75 * edge);
+  float felt = noise_at(vec2(touch.along, touch.foot.aside) / (2.2 * unit), touch.seed + 1u);
+  float gathered = exp(-max(touch.foot.inside, 0.0) / (1.8 * unit));
+  float left_out = strokes.grain * clamp(0.62 + 0.3 * (streak - 0.5) + 0.12 * (felt - 0.5) - 0.3 * gathered, 0.0, 1.0);
+  return solid_share(touch.foot) * (1.0 - left_out);
 }
 
 #include "lib/stroke_segment.glsl"

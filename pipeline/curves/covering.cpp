@@ -100,28 +100,36 @@ Behind behind_at(const Sample& sample, const ViewLine& line, const Covering& cov
   return object == 0 ? Behind::nothing : object == own ? Behind::same_object : Behind::other_object;
 }
 
+struct Vote {
+  int median = 0;
+  bool is_majority = false;
+};
+
 /// Asks `ask(i)` in order, until more than half of `count` say the same: the median of all is that.
 template <class Ask>
-int median_vote(size_t count, const Ask& ask) {
+Vote vote(size_t count, const Ask& ask) {
   std::vector<int> votes;
   for (size_t i = 0; i < count; ++i) {
     votes.push_back(ask(i));
     const auto same = std::count(votes.begin(), votes.end(), votes.back());
-    if (2 * static_cast<size_t>(same) > count) return votes.back();
+    if (2 * static_cast<size_t>(same) > count) return {votes.back(), true};
   }
   std::sort(votes.begin(), votes.end());
-  return votes[count / 2];
+  return {votes[count / 2], false};
 }
 
 void decide(ViewEdge& edge, const ViewLine& line, const Covering& covering) {
   const std::vector<Sample> samples = samples_of(edge, line);
-  edge.covered =
-      median_vote(samples.size(), [&](size_t i) { return covering.surfaces_before(samples[i].world); });
+  const Vote covered =
+      vote(samples.size(), [&](size_t i) { return covering.surfaces_before(samples[i].world); });
+  edge.covered = covered.median;
+  edge.is_doubtful = !covered.is_majority;
   if (edge.covered > 0 || !line.covers) return;
   const std::array<size_t, 3> places{samples.size() / 2, 0, samples.size() - 1};
-  edge.behind = static_cast<Behind>(median_vote(std::min(samples.size(), places.size()), [&](size_t i) {
+  const Vote behind = vote(std::min(samples.size(), places.size()), [&](size_t i) {
     return static_cast<int>(behind_at(samples[places[i]], line, covering));
-  }));
+  });
+  edge.behind = static_cast<Behind>(behind.median);
 }
 
 /// The parts that rays are sent to: of neighbours that are too short to see one in every `kUnseenPx`, and one

@@ -25,6 +25,7 @@ struct ViewEdge {
   double length_px = 0.0;
   int covered = 0;
   Behind behind = Behind::unknown;
+  bool is_doubtful = false;  ///< No more than half of the rays agree on `covered`.
 };
 
 /// Rays against all models.

@@ -156,17 +156,15 @@ class Splitter {
 
   void meet(const Step& step, const Step& other, Found& found) const {
     if (step.line == other.line && (step.at == other.at || neighbours(step, other))) return;
-    if (lines_[step.line].model == lines_[other.line].model) {
-      // What shares a point of the surface meets there, whatever rounding says.
-      bool shared = false;
-      for (size_t end = 0; end < 2; ++end) {
-        const uint64_t place = (end == 0 ? from(step) : to(step)).place;
-        if (place == 0 || (place != from(other).place && place != to(other).place)) continue;
-        if (!found.at_end[end]) found.at_end[end] = CurveEnd::junction;
-        shared = true;
-      }
-      if (shared) return;
+    // What shares a point of a surface meets there, whatever rounding says.
+    bool shared = false;
+    for (size_t end = 0; end < 2; ++end) {
+      const uint64_t place = (end == 0 ? from(step) : to(step)).place;
+      if (place == 0 || (place != from(other).place && place != to(other).place)) continue;
+      if (!found.at_end[end]) found.at_end[end] = CurveEnd::junction;
+      shared = true;
     }
+    if (shared) return;
     const std::optional<Meeting> meeting =
         meeting_of(glm::dvec2(from(step).pixel), glm::dvec2(to(step).pixel), glm::dvec2(from(other).pixel),
                    glm::dvec2(to(other).pixel));

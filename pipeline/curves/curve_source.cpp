@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/curves/curve_source.h"
 
+#include "pipeline/curves/feature_size.h"
 #include "pipeline/lines/mesh_lines.h"
 #include "pipeline/settings/settings.h"
 
@@ -34,11 +35,38 @@ CurveSource::CurveSource(const Mesh& mesh, const CurvesParams& params, const glm
       boundaries_(boundary_edges(topology_, params.crease_angle)),
       creases_(crease_edges(topology_, params.crease_angle, stretch)),
       stretch_(stretch) {
-  if (params.intersection) own_cuts_ = cut_with_itself(faces_);
+  drawn_edges_.assign(topology_.edges.size(), 0);
+  for (const auto& edges : {boundaries_, creases_}) {
+    for (const uint32_t edge : edges) drawn_edges_[edge] = 1;
+  }
+  if (params.intersection) own_cuts_ = cut_with_itself(to_cut());
   if (!needs_surface(params)) return;
   surface_ = std::make_unique<SmoothSurface>(
       make_smooth_surface(topology_, params.crease_angle, params.smoothing, stretch));
   if (params.silhouette == SilhouetteKind::smooth) smooth_silhouettes_ = SmoothSilhouettes(*surface_);
+  feature_size_ = inkbench::feature_size(*surface_);
+  const auto add = [&](bool is_wanted, LineClass line_class, double limit) {
+    if (!is_wanted) return;
+    for (Polyline3& line : inkbench::ridges_and_valleys(
+             *surface_, smooth_line_params(params, limit, *surface_, feature_size_))) {
+      if (line.line_class == line_class) ridges_and_valleys_.push_back(std::move(line));
+    }
+  };
+  add(params.ridge, LineClass::ridge, params.ridge_limit);
+  add(params.valley, LineClass::valley, params.valley_limit);
+}
+
+SmoothLineParams smooth_line_params(const CurvesParams& params, double ridge_limit,
+                                    const SmoothSurface& surface, double feature_size) {
+  const JudgeParams judge;
+  const double radius = surface.radius / (feature_size > 0.0 ? feature_size : 1.0);  // in feature sizes
+  return {.suggestive_derivative = params.suggestive_limit * radius * radius,
+          .suggestive_angle_deg = params.suggestive_angle,
+          .ridge_curvature = ridge_limit * radius,
+          .ridge_sharpness = judge.ridge_sharpness,
+          .ridge_anisotropy = judge.ridge_anisotropy,
+          .weak_share = params.weak_share,
+          .shortest = radius > 0.0 ? params.shortest / radius : 0.0};
 }
 
 bool CurveSource::is_parted(uint32_t edge) const {
@@ -58,7 +86,15 @@ std::string source_text(const CurvesParams& params) {
   if (needs_surface(params)) {
     decisive.silhouette = params.silhouette;
     decisive.smoothing = params.smoothing;
-    decisive.ridge = true;
+    decisive.suggestive = true;  // whichever of them: there is a surface
+    decisive.ridge = params.ridge;
+    decisive.valley = params.valley;
+    if (params.ridge) decisive.ridge_limit = params.ridge_limit;
+    if (params.valley) decisive.valley_limit = params.valley_limit;
+    if (params.ridge || params.valley) {
+      decisive.weak_share = params.weak_share;
+      decisive.shortest = params.shortest;
+    }
   }
   return group_text(decisive);
 }

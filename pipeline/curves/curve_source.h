@@ -11,6 +11,7 @@
 #include "pipeline/curves/smooth_silhouettes.h"
 #include "pipeline/curves/surface_cuts.h"
 #include "pipeline/curves/triangle_tree.h"
+#include "pipeline/lines/smooth_lines.h"
 #include "pipeline/lines/smooth_surface.h"
 #include "pipeline/settings/curves_params.h"
 
@@ -43,10 +44,14 @@ class CurveSource {
   const std::vector<uint32_t>& boundaries() const { return boundaries_; }
   const std::vector<uint32_t>& creases() const { return creases_; }
   const SurfaceCuts& own_cuts() const { return own_cuts_; }
+  CutMesh to_cut() const { return {&faces_, &drawn_edges_}; }
 
   /// The smooth surface, where the parameters ask for lines of it, stretched; else null.
   const SmoothSurface* surface() const { return surface_.get(); }
   const glm::dmat3& stretch() const { return stretch_; }
+  double feature_size() const { return feature_size_; }  ///< Of the surface.
+  /// Ridges and valleys, as far as they are asked for, in the surface's space.
+  const std::vector<Polyline3>& ridges_and_valleys() const { return ridges_and_valleys_; }
   const SmoothSilhouettes& smooth_silhouettes() const { return smooth_silhouettes_; }
   /// Whether the smooth surface ends at the edge.
   bool is_parted(uint32_t edge) const;
@@ -57,11 +62,19 @@ class CurveSource {
   FaceRings rings_;
   EdgeSilhouettes silhouettes_;
   std::vector<uint32_t> boundaries_, creases_;
+  std::vector<uint8_t> drawn_edges_;  ///< 1 for boundaries and creases.
   SurfaceCuts own_cuts_;
   glm::dmat3 stretch_;
   std::unique_ptr<SmoothSurface> surface_;
   SmoothSilhouettes smooth_silhouettes_;
+  double feature_size_ = 0.0;
+  std::vector<Polyline3> ridges_and_valleys_;
 };
+
+/// The parameters for lines of a smooth surface of this feature size, with `ridge_limit` for ridges and
+/// valleys alike. Sharpness and anisotropy are those of the reference lines.
+SmoothLineParams smooth_line_params(const CurvesParams& params, double ridge_limit,
+                                    const SmoothSurface& surface, double feature_size);
 
 /// What of the parameters decides a source, as text for keys.
 std::string source_text(const CurvesParams& params);

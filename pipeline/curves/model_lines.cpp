@@ -2,10 +2,12 @@
 #include "pipeline/curves/model_lines.h"
 
 #include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <iterator>
-#include <unordered_map>
 
+#include "pipeline/lines/apparent_ridges.h"
 #include "pipeline/lines/chain.h"
 #include "pipeline/lines/mesh_lines.h"
 
@@ -16,8 +18,11 @@ namespace {
 constexpr double kMaxTurnDeg = 60.0;
 constexpr double kAnyTurnDeg = 180.0;
 
-uint64_t pair_key(uint32_t a, uint32_t b) {
-  return (static_cast<uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+enum class PlaceKind { vertex, piercing, crossing };
+
+uint64_t place_id(const CurveModel& model, uint64_t kind, uint64_t index) {
+  return (static_cast<uint64_t>(model.object_id) << 52U) | (kind << 48U) |
+         (index & ((uint64_t{1} << 48U) - 1));
 }
 
 glm::dvec3 in_world(const CurveModel& model, const glm::dvec3& point) {
@@ -30,26 +35,22 @@ class EdgeLines {
       : model_(model), topology_(model.source->topology()), index_(index), pierced_(pierced) {}
 
   void add(CurveClass line_class, const std::vector<uint32_t>& edges, bool covers, bool is_drawn = true) {
-    std::unordered_map<uint64_t, uint32_t> edge_of;
-    edge_of.reserve(edges.size());
     std::vector<Link> links;
     links.reserve(edges.size());
-    for (const uint32_t edge : edges) {
-      links.push_back(topology_.edges[edge].points);
-      edge_of.emplace(pair_key(links.back()[0], links.back()[1]), edge);
-    }
+    for (const uint32_t edge : edges) links.push_back(topology_.edges[edge].points);
     const double max_turn = line_class == CurveClass::silhouette ? kAnyTurnDeg : kMaxTurnDeg;
-    for (const Chain& chain : chain_links(topology_.positions, links, max_turn)) {
-      ViewLine line;
+    for (const LinkedChain& chain : linked_chains(topology_.positions, links, max_turn)) {
+      ViewLine& line = lines_.emplace_back();
       line.line_class = line_class;
       line.model = index_;
       line.covers = covers;
       line.is_drawn = is_drawn;
-      line.is_closed = chain.size() > 2 && chain.front() == chain.back();
-      add_point(line, chain[0]);
-      for (size_t i = 1; i < chain.size(); ++i)
-        add_step(line, chain[i - 1], chain[i], edge_of.at(pair_key(chain[i - 1], chain[i])));
-      lines_.push_back(std::move(line));
+      line.is_closed = chain.points.size() > 2 && chain.points.front() == chain.points.back();
+      line.points.reserve(chain.points.size());
+      line.steps.reserve(chain.links.size());
+      add_point(line, chain.points[0]);
+      for (size_t i = 0; i < chain.links.size(); ++i)
+        add_step(line, chain.points[i], chain.points[i + 1], edges[chain.links[i]]);
     }
   }
 
@@ -59,7 +60,7 @@ class EdgeLines {
   void add_point(ViewLine& line, uint32_t point) const {
     LinePoint added;
     added.world = in_world(model_, topology_.positions[point]);
-    added.place = place_of(model_, PlaceKind::vertex, point);
+    added.place = vertex_place(model_, point);
     line.points.push_back(added);
   }
 
@@ -91,6 +92,18 @@ class EdgeLines {
   std::vector<ViewLine> lines_;
 };
 
+/// A face's height over its longest side, in the world.
+double height_of(const CurveModel& model, uint32_t face) {
+  const MeshTopology& topology = model.source->topology();
+  std::array<glm::dvec3, 3> corners;
+  for (size_t i = 0; i < 3; ++i) corners[i] = in_world(model, topology.positions[topology.faces[face][i]]);
+  const double twice_area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const double longest =
+      std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                glm::distance(corners[2], corners[0])});
+  return longest > 0.0 ? twice_area / longest : 0.0;
+}
+
 Viewpoint viewpoint_in(const CurveModel& model, const CurveView& view) {
   const Viewpoint eye = view.viewpoint();
   if (eye.is_at_infinity()) return eye.in(glm::dmat3(model.to_mesh));
@@ -105,10 +118,19 @@ std::vector<uint32_t> without(const std::vector<uint32_t>& edges, const std::vec
 
 }  // namespace
 
-uint64_t place_of(const CurveModel& model, PlaceKind kind, uint32_t index, uint32_t face) {
-  constexpr uint64_t kFaces = 1U << 25U;
-  return (static_cast<uint64_t>(model.object_id) << 52U) | (static_cast<uint64_t>(kind) << 50U) |
-         ((index * kFaces + face % kFaces) & ((uint64_t{1} << 50U) - 1));
+uint64_t vertex_place(const CurveModel& model, uint32_t vertex) {
+  return place_id(model, static_cast<uint64_t>(PlaceKind::vertex), vertex);
+}
+
+uint64_t piercing_place(const CurveModel& model, const Piercing& piercing) {
+  constexpr uint64_t kHalf = 1U << 24U;
+  return place_id(model, static_cast<uint64_t>(PlaceKind::piercing),
+                  piercing.edge * kHalf + piercing.face % kHalf);
+}
+
+uint64_t crossing_place(const CurveModel& model, CurveClass line_class, uint32_t crossing) {
+  return place_id(model, static_cast<uint64_t>(PlaceKind::crossing) + static_cast<uint64_t>(line_class),
+                  crossing);
 }
 
 std::vector<PiercedEdge> pierced_edges(std::span<const CurveModel> models, std::span<const ModelCuts> cuts,
@@ -119,8 +141,7 @@ std::vector<PiercedEdge> pierced_edges(std::span<const CurveModel> models, std::
       const int its = piercing.mesh == 0 ? cut.first : cut.second;
       if (its != model) continue;
       const CurveModel& owner = models[static_cast<size_t>(its)];
-      pierced.push_back({piercing.edge, piercing.along,
-                         place_of(owner, PlaceKind::piercing, piercing.edge, piercing.face)});
+      pierced.push_back({piercing.edge, piercing.along, piercing_place(owner, piercing)});
     }
   }
   std::sort(pierced.begin(), pierced.end());
@@ -148,25 +169,47 @@ std::vector<ViewLine> mesh_edge_lines(const CurveModel& model, int index, const 
   return lines.take();
 }
 
-std::vector<ViewLine> smooth_silhouette_lines(const CurveModel& model, int index, const CurveView& view) {
-  const CurveSource& source = *model.source;
-  const glm::dmat3 unstretch = glm::inverse(source.stretch());
+std::vector<ViewLine> surface_lines(const CurveModel& model, int index, const CurveView& view,
+                                    const CurvesParams& params) {
   std::vector<ViewLine> lines;
-  for (const FaceLine& found :
-       source.smooth_silhouettes().find(*source.surface(), viewpoint_in(model, view).in(source.stretch()))) {
-    ViewLine line;
-    line.line_class = CurveClass::silhouette;
+  const CurveSource& source = *model.source;
+  if (source.surface() == nullptr) return lines;
+  const SmoothSurface& surface = *source.surface();
+  const glm::dmat3 unstretch = glm::inverse(source.stretch());
+  const Viewpoint eye = viewpoint_in(model, view).in(source.stretch());
+  const auto add = [&](CurveClass line_class, const auto& found) {
+    ViewLine& line = lines.emplace_back();
+    line.line_class = line_class;
     line.model = index;
-    line.follows = true;
+    line.follows = line_class == CurveClass::silhouette;
     line.is_closed = found.points.size() > 2 && found.points.front() == found.points.back();
     for (size_t i = 0; i < found.points.size(); ++i) {
-      LinePoint added;
+      LinePoint& added = line.points.emplace_back();
       added.world = in_world(model, unstretch * found.points[i]);
-      added.place = place_of(model, PlaceKind::edge, found.crossings[i]);
-      line.points.push_back(added);
+      if (found.crossings[i] < surface.crossing_count)
+        added.place = crossing_place(model, line_class, found.crossings[i]);
     }
-    line.steps.resize(found.faces.size());
-    lines.push_back(std::move(line));
+    line.steps.resize(found.points.size() - 1);
+    if (!line.follows) return;
+    for (size_t i = 0; i < line.steps.size(); ++i) line.steps[i].across = height_of(model, found.faces[i]);
+  };
+  if (params.silhouette == SilhouetteKind::smooth) {
+    for (const SurfaceLine& line : source.smooth_silhouettes().find(surface, eye))
+      add(CurveClass::silhouette, line);
+  }
+  if (params.suggestive) {
+    const SmoothLineParams limits =
+        smooth_line_params(params, params.ridge_limit, surface, source.feature_size());
+    for (const Polyline3& line : suggestive_contours(surface, eye, limits)) add(CurveClass::suggestive, line);
+  }
+  for (const Polyline3& line : source.ridges_and_valleys())
+    add(line.line_class == LineClass::ridge ? CurveClass::ridge : CurveClass::valley, line);
+  if (params.apparent_ridge && source.feature_size() > 0.0) {
+    const ApparentRidgeParams limits{.limit = params.apparent_limit / source.feature_size(),
+                                     .weak_share = params.weak_share,
+                                     .shortest = params.shortest * source.feature_size()};
+    for (const SurfaceLine& line : apparent_ridges(surface, eye, limits))
+      add(CurveClass::apparent_ridge, line);
   }
   return lines;
 }
@@ -186,7 +229,7 @@ std::vector<ViewLine> cut_lines(std::span<const CurveModel> models, const ModelC
       const CurveModel& owner = models[static_cast<size_t>(piercing.mesh == 0 ? cuts.first : cuts.second)];
       LinePoint added;
       added.world = points[point];
-      added.place = place_of(owner, PlaceKind::piercing, piercing.edge, piercing.face);
+      added.place = piercing_place(owner, piercing);
       line.points.push_back(added);
     }
     line.steps.resize(line.points.size() - 1);

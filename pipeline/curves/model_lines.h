@@ -10,9 +10,11 @@
 
 namespace inkbench {
 
-/// `Curve::places`: which object's which vertex, edge, or edge through which face.
-enum class PlaceKind { vertex, edge, piercing };
-uint64_t place_of(const CurveModel& model, PlaceKind kind, uint32_t index, uint32_t face = 0);
+/// `Curve::places` of one object: a vertex; an edge through a face; where a line of a class of the smooth
+/// surface crosses an edge. 0 is none.
+uint64_t vertex_place(const CurveModel& model, uint32_t vertex);
+uint64_t piercing_place(const CurveModel& model, const Piercing& piercing);
+uint64_t crossing_place(const CurveModel& model, CurveClass line_class, uint32_t crossing);
 
 /// Edges of one model that go through faces, its own or others', in order of edge and place.
 struct PiercedEdge {
@@ -30,8 +32,9 @@ std::vector<PiercedEdge> pierced_edges(std::span<const CurveModel> models, std::
 std::vector<ViewLine> mesh_edge_lines(const CurveModel& model, int index, const CurveView& view,
                                       const CurvesParams& params, std::span<const PiercedEdge> pierced);
 
-/// Silhouettes of the smooth surface, which follow the mesh's.
-std::vector<ViewLine> smooth_silhouette_lines(const CurveModel& model, int index, const CurveView& view);
+/// Lines of the smooth surface, as far as they are asked for; its silhouettes follow the mesh's.
+std::vector<ViewLine> surface_lines(const CurveModel& model, int index, const CurveView& view,
+                                    const CurvesParams& params);
 
 /// Cuts of two models or, where both are one, of one with itself.
 std::vector<ViewLine> cut_lines(std::span<const CurveModel> models, const ModelCuts& cuts);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/curves/object_curves.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -13,6 +15,9 @@
 namespace inkbench {
 namespace {
 
+/// Less of them is nothing to tell anybody.
+constexpr double kDoubtfulPx = 5.0;
+
 /// All models' lines in the world, in order of class.
 std::vector<ViewLine> world_lines(std::span<const CurveModel> models, std::span<const ModelCuts> cuts,
                                   const CurveView& view, const CurvesParams& params) {
@@ -23,12 +28,28 @@ std::vector<ViewLine> world_lines(std::span<const CurveModel> models, std::span<
   for (size_t i = 0; i < models.size(); ++i) {
     const auto index = static_cast<int>(i);
     add(mesh_edge_lines(models[i], index, view, params, pierced_edges(models, cuts, index)));
-    if (params.silhouette == SilhouetteKind::smooth) add(smooth_silhouette_lines(models[i], index, view));
+    add(surface_lines(models[i], index, view, params));
   }
   for (const ModelCuts& cut : cuts) add(cut_lines(models, cut));
   std::stable_sort(lines.begin(), lines.end(),
                    [](const ViewLine& a, const ViewLine& b) { return a.line_class < b.line_class; });
   return lines;
+}
+
+/// What could not be decided, where it is long enough to see.
+std::vector<std::string> notes_on(std::span<const ViewEdge> edges, const std::vector<ViewLine>& lines) {
+  double doubtful_px = 0.0;
+  double all_px = 0.0;
+  for (const ViewEdge& edge : edges) {
+    if (!lines[edge.line].is_drawn) continue;
+    all_px += edge.length_px;
+    if (edge.is_doubtful) doubtful_px += edge.length_px;
+  }
+  if (doubtful_px < kDoubtfulPx) return {};
+  return {
+      fmt::format("what covers {:.0f} of {:.0f} px of curves is doubtful: rays along them disagree, as "
+                  "where surfaces lie in one place",
+                  doubtful_px, all_px)};
 }
 
 }  // namespace
@@ -48,7 +69,7 @@ Curves object_curves(std::span<const CurveModel> models, std::span<const ModelCu
   const Covering covering(models, view);
   decide_covering(edges, lines, covering);
   if (some_follow) follow_silhouettes(edges, lines, covering);
-  return {width_px, height_px, curves_of(lines, edges, models, view), {}};
+  return {width_px, height_px, curves_of(lines, edges, models, view), notes_on(edges, lines)};
 }
 
 }  // namespace inkbench

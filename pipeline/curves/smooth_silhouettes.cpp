@@ -12,9 +12,9 @@
 namespace inkbench {
 namespace {
 
-class FaceLineMaker {
+class SilhouetteMaker {
  public:
-  FaceLineMaker(const SmoothSurface& surface, const Viewpoint& eye) : surface_(surface), eye_(eye) {}
+  SilhouetteMaker(const SmoothSurface& surface, const Viewpoint& eye) : surface_(surface), eye_(eye) {}
 
   void add(uint32_t face) {
     const auto& corners = surface_.faces[face];
@@ -40,29 +40,21 @@ class FaceLineMaker {
     faces_.push_back(face);
   }
 
-  std::vector<FaceLine> lines() const {
+  std::vector<SurfaceLine> lines() const {
     constexpr double kAnyTurnDeg = 180.0;
-    std::unordered_map<uint64_t, uint32_t> face_of;
-    face_of.reserve(links_.size());
-    for (size_t i = 0; i < links_.size(); ++i) face_of.emplace(key(links_[i][0], links_[i][1]), faces_[i]);
-    std::vector<FaceLine> lines;
-    for (const Chain& chain : chain_links(points_, links_, kAnyTurnDeg)) {
-      FaceLine line;
-      for (size_t i = 0; i < chain.size(); ++i) {
-        line.points.push_back(points_[chain[i]]);
-        line.crossings.push_back(crossings_[chain[i]]);
-        if (i > 0) line.faces.push_back(face_of.at(key(chain[i - 1], chain[i])));
+    std::vector<SurfaceLine> lines;
+    for (const LinkedChain& chain : linked_chains(points_, links_, kAnyTurnDeg)) {
+      SurfaceLine& line = lines.emplace_back();
+      for (const uint32_t point : chain.points) {
+        line.points.push_back(points_[point]);
+        line.crossings.push_back(crossings_[point]);
       }
-      lines.push_back(std::move(line));
+      for (const uint32_t link : chain.links) line.faces.push_back(faces_[link]);
     }
     return lines;
   }
 
  private:
-  static uint64_t key(uint32_t a, uint32_t b) {
-    return (static_cast<uint64_t>(std::min(a, b)) << 32U) | std::max(a, b);
-  }
-
   uint32_t node(uint32_t crossing, const glm::dvec3& point) {
     const auto [found, is_new] = nodes_.try_emplace(crossing, static_cast<uint32_t>(points_.size()));
     if (is_new) {
@@ -100,11 +92,11 @@ SmoothSilhouettes::SmoothSilhouettes(const SmoothSurface& surface) {
   tree_ = SilhouetteTree(items);
 }
 
-std::vector<FaceLine> SmoothSilhouettes::find(const SmoothSurface& surface, const Viewpoint& eye) const {
+std::vector<SurfaceLine> SmoothSilhouettes::find(const SmoothSurface& surface, const Viewpoint& eye) const {
   std::vector<uint32_t> candidates;
   tree_.each_candidate(eye, [&](uint32_t face) { candidates.push_back(face); });
   std::sort(candidates.begin(), candidates.end());
-  FaceLineMaker maker(surface, eye);
+  SilhouetteMaker maker(surface, eye);
   for (const uint32_t face : candidates) maker.add(face);
   return maker.lines();
 }

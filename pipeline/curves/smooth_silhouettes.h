@@ -7,23 +7,17 @@
 #include <vector>
 
 #include "pipeline/curves/silhouette_tree.h"
+#include "pipeline/lines/lines.h"
 #include "pipeline/lines/smooth_surface.h"
 
 namespace inkbench {
-
-/// Through faces, from edge to edge.
-struct FaceLine {
-  std::vector<glm::dvec3> points;   ///< In the surface's space; a closed line repeats its first point.
-  std::vector<uint32_t> crossings;  ///< For each point the edge, as `SmoothSurface::crossings` counts them.
-  std::vector<uint32_t> faces;      ///< Of each step.
-};
 
 class SmoothSilhouettes {
  public:
   SmoothSilhouettes() = default;
   explicit SmoothSilhouettes(const SmoothSurface& surface);
   /// Zeros of dot(normal, eye - point), linear along edges. A value of 0 counts as facing the eye.
-  std::vector<FaceLine> find(const SmoothSurface& surface, const Viewpoint& eye) const;
+  std::vector<SurfaceLine> find(const SmoothSurface& surface, const Viewpoint& eye) const;
 
  private:
   SilhouetteTree tree_;

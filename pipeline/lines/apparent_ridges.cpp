@@ -9,6 +9,7 @@
 
 #include "pipeline/lines/line_tracer.h"
 #include "pipeline/lines/principal.h"
+#include "pipeline/lines/surface_gradient.h"
 
 namespace inkbench {
 namespace {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 
+#include "pipeline/lines/face_shape.h"
 #include "pipeline/lines/mesh_lines.h"
 #include "pipeline/mesh/triangle_edges.h"
 
@@ -92,19 +93,6 @@ void collect_point_faces(SmoothSurface& surface) {
 }
 
 // ---- Normals and curvature, not smoothed.
-
-struct FaceShape {
-  std::array<glm::dvec3, 3> edges;  ///< From corner i to corner i + 1.
-  glm::dvec3 normal;                ///< Twice the area long.
-};
-
-inline FaceShape shape_of(const SmoothSurface& surface, const Face& face) {
-  FaceShape shape{};
-  for (size_t i = 0; i < 3; ++i)
-    shape.edges[i] = surface.positions[face[(i + 1) % 3]] - surface.positions[face[i]];
-  shape.normal = glm::cross(shape.edges[0], shape.edges[1]);
-  return shape;
-}
 
 glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& otherwise) {
   const double length = glm::length(vector);
@@ -325,39 +313,6 @@ SmoothSurface make_smooth_surface(const MeshTopology& topology, double crease_an
   find_curvature(surface);
   smooth_curvature(surface, averaging, steps_for(smoothing));
   return surface;
-}
-
-glm::dvec3 gradient_on_face(const SmoothSurface& surface, uint32_t face, const glm::dvec3& scalar) {
-  const FaceShape shape = shape_of(surface, surface.faces[face]);
-  const double squared = glm::dot(shape.normal, shape.normal);
-  if (!(squared > 0.0)) return glm::dvec3(0.0);
-  const glm::dvec3 along =
-      scalar[0] * shape.edges[1] + scalar[1] * shape.edges[2] + scalar[2] * shape.edges[0];
-  return glm::cross(shape.normal, along) / squared;
-}
-
-glm::dvec3 gradient_at_point(const SmoothSurface& surface, const std::vector<double>& scalar,
-                             uint32_t point) {
-  glm::dvec3 gradient(0.0);
-  double areas = 0.0;
-  for (uint32_t i = surface.face_starts[point]; i < surface.face_starts[point + 1]; ++i) {
-    const Face& face = surface.faces[surface.point_faces[i]];
-    const FaceShape shape = shape_of(surface, face);
-    const double area = glm::length(shape.normal);
-    if (!(area > 0.0)) continue;
-    const glm::dvec3 along = scalar[face[0]] * shape.edges[1] + scalar[face[1]] * shape.edges[2] +
-                             scalar[face[2]] * shape.edges[0];
-    gradient += glm::cross(shape.normal, along) / area;
-    areas += area;
-  }
-  return gradient / (areas > 0.0 ? areas : 1.0);
-}
-
-std::vector<glm::dvec3> gradient_at_points(const SmoothSurface& surface, const std::vector<double>& scalar) {
-  std::vector<glm::dvec3> gradients(surface.positions.size());
-  for (uint32_t point = 0; point < gradients.size(); ++point)
-    gradients[point] = gradient_at_point(surface, scalar, point);
-  return gradients;
 }
 
 }  // namespace inkbench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The smooth parts of a mesh with their curvature. In: topology. Out: points, normals and curvature tensors,
-// smoothed, and derivatives over the surface. View-independent; lines of tier 2 are read from it.
+// smoothed. View-independent; lines of tier 2 are read from it.
 #pragma once
 
 #include <array>
@@ -44,14 +44,5 @@ struct SmoothSurface {
 /// weighted as by Max, 1999. We keep tensors as 3 x 3 matrices, so that averaging needs no common frame.
 SmoothSurface make_smooth_surface(const MeshTopology& topology, double crease_angle_deg, double smoothing,
                                   const glm::dmat3& stretch);
-
-/// Gradient of a scalar given at the points: that of the faces, averaged by area.
-std::vector<glm::dvec3> gradient_at_points(const SmoothSurface& surface, const std::vector<double>& scalar);
-
-/// The same at one point.
-glm::dvec3 gradient_at_point(const SmoothSurface& surface, const std::vector<double>& scalar, uint32_t point);
-
-/// Gradient of a scalar that is linear on a face, from its values at the corners; 0 on a face without area.
-glm::dvec3 gradient_on_face(const SmoothSurface& surface, uint32_t face, const glm::dvec3& scalar);
 
 }  // namespace inkbench

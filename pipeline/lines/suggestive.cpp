@@ -10,6 +10,7 @@
 
 #include "pipeline/lines/line_tracer.h"
 #include "pipeline/lines/smooth_lines.h"
+#include "pipeline/lines/surface_gradient.h"
 
 namespace inkbench {
 namespace {

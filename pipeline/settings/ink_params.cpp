@@ -14,6 +14,10 @@ const Description& InkParams::description() {
                        "or both."}),
           colour_field<&InkParams::colour>(
               {.name = "colour", .help = "Colour of the lines; the paper's is black."}),
+          field<&InkParams::over>(
+              {.name = "over", .help = "What ink lies on: the shading, or a blank sheet."}),
+          colour_field<&InkParams::paper>(
+              {.name = "paper", .help = "Colour of the blank sheet.", .matters_when = "over = paper"}),
       }};
   return kDescription;
 }

@@ -16,9 +16,18 @@ struct ChoiceNames<InkFrom> {
   static constexpr std::array<std::string_view, 3> names{"filter", "strokes", "both"};
 };
 
+/// What it is drawn over.
+enum class InkOver { shading, paper };
+template <>
+struct ChoiceNames<InkOver> {
+  static constexpr std::array<std::string_view, 2> names{"shading", "paper"};
+};
+
 struct InkParams {
   InkFrom from = InkFrom::filter;
   glm::vec3 colour{0.0F};
+  InkOver over = InkOver::shading;
+  glm::vec3 paper{1.0F};
 
   static const Description& description();
 };

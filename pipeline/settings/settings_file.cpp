@@ -8,6 +8,7 @@
 #include "pipeline/base/files.h"
 #include "pipeline/base/text.h"
 #include "pipeline/params/toml_value.h"
+#include "pipeline/settings/style_file.h"
 
 namespace inkbench {
 namespace {
@@ -125,6 +126,18 @@ Settings read_settings(const TomlNode& document, const Source& source) {
   return settings;
 }
 
+/// The entry `style` of a table, whose values the table's others may change.
+void visit_style(Settings& settings, const TomlNode& table, const std::string& name,
+                 const ParamVisitor& visit) {
+  const TomlNode* style = table.find("style");
+  if (style == nullptr) return;
+  const std::string where = name + ":" + std::to_string(style->line);
+  if (!style->is_text())
+    throw input_error(where, "style is " + style->kind_name(), "it must be a style's name or file");
+  const TomlNode values = read_style(find_style(style->text, fs::path(name).parent_path(), where));
+  visit_table(settings, values, "", where, visit);
+}
+
 void append_fields(std::string& text, const ConstParamGroup& group, const std::string& key_prefix) {
   for (const Field& field : group.description->fields) {
     text += key_prefix + std::string(field.name) + " = " + to_text(field.get(group.owner)) + "\n";
@@ -152,8 +165,10 @@ void apply_table(Settings& settings, const TomlNode& table, const std::string& n
 void visit_table(Settings& settings, const TomlNode& table, const std::string& prefix,
                  const std::string& name, const ParamVisitor& visit) {
   std::vector<Param> seen;
+  if (prefix.empty()) visit_style(settings, table, name, visit);
   for (const auto& [part, node] : table.entries) {
     const std::string key = prefix.empty() ? part : prefix + "." + part;
+    if (key == "style") continue;
     const std::string where = name + ":" + std::to_string(node.line);
     if (part.find('.') != std::string::npos) {
       throw input_error(where, "the key '" + part + "' is quoted, so its dots do not separate parts",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Settings in TOML: scene files, the settings in an image's metadata and presets are one format.
-// [[model]] and [[light]] are lists of named tables; every other parameter is `group.name = value`.
+// [[model]] and [[light]] are lists of named tables; every other parameter is `group.name = value`, but for
+// `style`, which takes those of a stroke style (style_file.h).
 #pragma once
 
 #include <filesystem>
@@ -31,8 +32,8 @@ void apply_table(Settings& settings, const TomlNode& table, const std::string& n
                  const std::filesystem::path& folder);
 
 /// Calls `visit` for each value in a table of parameters, its key ("model.rabbit.size", "camera.eye.x") being
-/// `prefix` and the table's keys. Errors (input): `name:line` of an unknown key, one that sets the same as an
-/// earlier one, an empty table that is no group.
+/// `prefix` and the table's keys; first for those of the style that the entry `style` names. Errors (input):
+/// `name:line` of an unknown key, one that sets the same as an earlier one, an empty table that is no group.
 using ParamVisitor = std::function<void(const Param& param, const TomlNode& node)>;
 void visit_table(Settings& settings, const TomlNode& table, const std::string& prefix,
                  const std::string& name, const ParamVisitor& visit);

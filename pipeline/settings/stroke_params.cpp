@@ -180,7 +180,7 @@ std::vector<Field> hidden_fields() {
 }
 
 Description make_stroke() {
-  Description description{"stroke", "Strokes", {}, "ink.from != filter"};
+  Description description{"stroke", "Strokes", {}, {}};
   for (const auto& fields : {width_fields(), course_fields(), paint_fields(), hidden_fields()})
     description.fields.insert(description.fields.end(), fields.begin(), fields.end());
   return description;
@@ -224,10 +224,8 @@ const Description& StrokeClassParams::description() {
           colour_field<&StrokeClassParams::colour>(
               {.name = "colour",
                .help = "Their colour, in the buffer curves and where strokes are coloured by class."}),
-          field<&StrokeClassParams::opacity>({.name = "opacity",
-                                              .help = "Times stroke.opacity.",
-                                              .limits = {0, 1},
-                                              .matters_when = "ink.from != filter"}),
+          field<&StrokeClassParams::opacity>(
+              {.name = "opacity", .help = "Times stroke.opacity.", .limits = {0, 1}}),
       },
       ""};
   return kDescription;

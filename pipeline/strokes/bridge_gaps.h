@@ -12,6 +12,6 @@ namespace inkbench {
 /// degrees at most, those that fit best first; both of one object (or traced), and both hidden or both not.
 /// A path whose own ends fit becomes closed. What is drawn over a gap goes on in both directions and has no
 /// places.
-std::vector<StrokePath> bridge_gaps(std::vector<StrokePath> paths, float longest_px);
+std::vector<StrokePath> bridge_gaps(const std::vector<StrokePath>& paths, float longest_px);
 
 }  // namespace inkbench

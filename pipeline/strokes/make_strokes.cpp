@@ -7,6 +7,7 @@
 #include "pipeline/strokes/carry_along.h"
 #include "pipeline/strokes/dashes.h"
 #include "pipeline/strokes/join_curves.h"
+#include "pipeline/strokes/merge_overlaps.h"
 #include "pipeline/strokes/sample_path.h"
 #include "pipeline/strokes/smooth_path.h"
 #include "pipeline/strokes/wobble.h"
@@ -16,7 +17,8 @@ namespace {
 
 std::vector<StrokePath> paths_of(const Curves& curves, const StrokeParams& params,
                                  const StrokeClasses& classes) {
-  std::vector<StrokePath> paths = bridge_gaps(join_curves(curves, classes, params.hidden), params.bridge);
+  std::vector<StrokePath> paths = merge_overlaps(join_curves(curves, classes, params.hidden));
+  paths = bridge_gaps(paths, params.bridge);
   std::erase_if(paths, [&](const StrokePath& path) {
     return length_px(path) <= 0.0F || length_px(path) < params.shortest;
   });

@@ -7,7 +7,8 @@
 
 namespace inkbench {
 
-/// Curves that go on in each other become one path (join_curves.h), gaps are bridged, short paths dropped,
+/// Curves that go on in each other become one path (join_curves.h, merge_overlaps.h), gaps are bridged, short
+/// paths dropped,
 /// what is left is smoothed and sampled; then each path is drawn `passes` times, with its widths and its
 /// wobble, and what is covered is cut into dashes. Strokes without width are left out. Covered ones come
 /// first. With `before` and `stroke.coherent` a stroke goes on with the paint that it had (carry_along.h).

@@ -7,7 +7,9 @@
 #include "pipeline/passes/ink/coverage.h"
 #include "pipeline/passes/ink/drawn_ink.h"
 #include "pipeline/passes/lines/reference.h"
+#include "pipeline/passes/strokes/strokes.h"
 #include "pipeline/strength_file.h"
+#include "pipeline/strokes/carry_along.h"
 #include "studies/judging/cause_finder.h"
 #include "studies/measures/matching.h"
 
@@ -45,6 +47,11 @@ namespace {
 AntialiasingTally antialiasing_of(const Frame& frame) {
   return tally_antialiasing(drawn_coverage(frame), frame.value<AliasedCoverage>()->read(0, 1),
                             frame.value<SampledCoverage>()->read(0, 1));
+}
+
+StrokeTally strokes_between(const Frame& before, const Frame& now) {
+  StrokeCarrying carrying = carrying_between(*before.value<StrokesPass>(), *now.value<StrokesPass>());
+  return {std::move(carrying.shifts_px), carrying.strokes, carrying.broken};
 }
 
 StrengthCurve strengths_of(const Frame& frame, const LineView& view) {
@@ -87,14 +94,17 @@ DrawingTally DrawingMeter::tally(const Frame& frame, const Frame* before) {
   const LineView view = lines ? line_view(drawn, *lines, settings.judge) : LineView{drawn, {}, {}, {}};
   DrawingTally tally = tally_view({view, lines.get(), full ? &*full : nullptr}, settings.judge, needs_);
   if (needs_.faces) tally.faces = drawn_faces(pipeline_.meshes(), settings);
-  if (needs_.antialiasing && places_lines(settings) && settings.ink.from == InkFrom::filter) tally.antialiasing = antialiasing_of(frame);
+  if (needs_.antialiasing && places_lines(settings) && settings.ink.from == InkFrom::filter)
+    tally.antialiasing = antialiasing_of(frame);
   if (needs_.strengths) tally.strengths = strengths_of(frame, view);
   if (needs_.causes) {
     last_causes_ = find_causes(pipeline_, settings);
     tally.causes = count_causes(*last_causes_);
   }
-  if (needs_.path() && before != nullptr) tally.flicker = flicker_.tally(*before, frame);
-  if (needs_.path() && before == nullptr) flicker_.start(frame);
+  if (needs_.flicker() && before != nullptr) tally.flicker = flicker_.tally(*before, frame);
+  if (needs_.flicker() && before == nullptr) flicker_.start(frame);
+  if (needs_.stroke_frames && before != nullptr && draws_strokes(settings))
+    tally.strokes = strokes_between(*before, frame);
   return tally;
 }
 
@@ -106,7 +116,9 @@ DrawingTally DrawingMeter::tally(std::span<const Settings> views) {
 
 Key DrawingMeter::key(const Frame& frame, const Frame* before) {
   KeyBuilder builder;
-  if (needs_.path() && before != nullptr) builder.add(flicker_.key(*before, frame));
+  if (needs_.flicker() && before != nullptr) builder.add(flicker_.key(*before, frame));
+  if (needs_.stroke_frames && before != nullptr)
+    builder.add(before->key_of<StrokesPass>()).add(frame.key_of<StrokesPass>());
   builder.add(frame.key(BufferName::lines));
   if (needs_.reference_lines())
     builder.add(frame.key(BufferName::reference)).add(judge_text(frame.settings().judge));

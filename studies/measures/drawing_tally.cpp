@@ -24,6 +24,7 @@ void DrawingTally::add(const DrawingTally& other) {
   pool(antialiasing, other.antialiasing);
   pool(strengths, other.strengths);
   pool(flicker, other.flicker);
+  pool(strokes, other.strokes);
   pool(marks, other.marks);
 }
 

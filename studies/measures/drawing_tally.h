@@ -13,6 +13,7 @@
 #include "studies/measures/ladder_tally.h"
 #include "studies/measures/marks.h"
 #include "studies/measures/strength_curve.h"
+#include "studies/measures/stroke_tally.h"
 #include "studies/measures/tally.h"
 
 namespace inkbench {
@@ -29,6 +30,7 @@ struct DrawingTally {
   std::optional<AntialiasingTally> antialiasing;  ///< Of placed lines.
   std::optional<StrengthCurve> strengths;         ///< The detector's, each view a picture.
   std::optional<FlickerTally> flicker;            ///< Between the frames of a path.
+  std::optional<StrokeTally> strokes;             ///< Of strokes between the frames of a path.
   std::optional<MarkTally> marks;                 ///< Of what a person marked.
 
   void add(const DrawingTally& other);

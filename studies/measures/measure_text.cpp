@@ -33,6 +33,8 @@ std::string needs_text(const Measure& measure) {
       return "drawn lines along a camera path";
     case Need::reference_frames:
       return "reference lines along a camera path";
+    case Need::stroke_frames:
+      return "strokes along a camera path";
     case Need::placed_lines:
       return "lines of a method that places them";
     case Need::strengths:

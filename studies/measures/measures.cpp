@@ -225,6 +225,19 @@ std::vector<Measure> path_rows() {
        .better = Better::neither,
        .needs = Need::reference_frames,
        .value = [](const Tally& t) { return t.flicker ? t.flicker->wanted.share() : std::nullopt; }},
+      {.key = "stroke_shift_px",
+       .help = "How far paint moves along its stroke from one frame to the next: half of it moves less.",
+       .label = "shift of the paint",
+       .unit = "px",
+       .better = kLess,
+       .needs = Need::stroke_frames,
+       .value = [](const Tally& t) { return t.strokes ? t.strokes->median_shift_px() : std::nullopt; }},
+      {.key = "strokes_broken",
+       .help = "Of the strokes of one frame, this share goes on in none of the next, or in several.",
+       .label = "strokes that break",
+       .better = kLess,
+       .needs = Need::stroke_frames,
+       .value = [](const Tally& t) { return t.strokes ? t.strokes->broken_share() : std::nullopt; }},
   };
 }
 
@@ -384,6 +397,9 @@ void MeasureNeeds::add(const Measure& measure) {
       break;
     case Need::frames:
       frames = true;
+      break;
+    case Need::stroke_frames:
+      stroke_frames = true;
       break;
     case Need::reference_frames:
       reference_frames = true;

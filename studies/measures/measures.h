@@ -27,6 +27,7 @@ enum class Need {
   inner_lines,
   frames,            ///< The drawn lines along a camera path, and how points move.
   reference_frames,  ///< The reference lines along it.
+  stroke_frames,     ///< The strokes along it.
   placed_lines,      ///< Lines of a method that places them.
   strengths,         ///< What the detector sees, at 99 thresholds.
   causes,            ///< The drawing made again with one thing changed at a time.
@@ -54,7 +55,9 @@ struct Measure {
   /// Whether it compares a level of the mesh with the full one.
   bool of_level() const { return needs == Need::full_mesh || needs == Need::inner_lines; }
   /// Whether it compares the frames of a camera path.
-  bool of_path() const { return needs == Need::frames || needs == Need::reference_frames; }
+  bool of_path() const {
+    return needs == Need::frames || needs == Need::reference_frames || needs == Need::stroke_frames;
+  }
   /// Whether it looks at what a person marked, which studies and single views know nothing of.
   bool of_marks() const { return needs == Need::marks; }
 };
@@ -75,7 +78,7 @@ struct MeasureNeeds {
   bool lines = false;  ///< And against the reference lines.
   std::array<bool, kLineClasses.size()> classes{};
   bool ladder = false, inner = false;
-  bool frames = false, reference_frames = false;
+  bool frames = false, reference_frames = false, stroke_frames = false;
   bool antialiasing = false, strengths = false, causes = false;
   bool marks = false;
 
@@ -87,7 +90,7 @@ struct MeasureNeeds {
 
   bool reference_lines() const;
   bool full_mesh() const { return ladder || inner; }
-  bool path() const { return frames || reference_frames; }
+  bool flicker() const { return frames || reference_frames; }
 };
 
 /// The value as shortest text that reads back exactly: counts without a point, flags as true or false; ""

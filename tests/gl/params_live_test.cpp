@@ -37,7 +37,12 @@ std::vector<std::string> values_for(Settings settings, const Condition& conditio
   const Field& named = *find_param(settings, condition.key, "test").field;
   std::vector<std::string> all(named.choices.begin(), named.choices.end());
   if (named.type == FieldType::boolean) all = {"false", "true"};
-  if (all.empty()) all = {"0", "1"};
+  if (all.empty()) {
+    for (const char* number : {"0", "1", "2"}) {
+      const double value = std::stod(number);
+      if (value >= named.limits.low && value <= named.limits.high) all.emplace_back(number);
+    }
+  }
   std::vector<std::string> result;
   for (const std::string& value : all) {
     const bool is_named =
@@ -77,6 +82,8 @@ float changed_number(const Field& field, float value) {
 
 /// Another value of the parameter. Errors (test): a type that it knows no other value for.
 Value another(const Field& field, const Value& value, const std::string& other_mesh) {
+  if (field.name == "profile" && field.type == FieldType::text) return std::string("0 0.2, 1 1");
+  if (field.name == "brush_image") return fs::path(other_mesh).replace_filename("brush.png").string();
   if (const auto* boolean = std::get_if<bool>(&value)) return !*boolean;
   if (const auto* integer = std::get_if<int>(&value)) {
     const int other = static_cast<int>(changed_number(field, static_cast<float>(*integer)));
@@ -159,6 +166,9 @@ class ParamsLive : public testing::Test {
             .string();
     other_mesh_ = folder_.write("other.obj", bumpy_sphere(3.0F)).string();
     rich_ = make_rich_scene();
+    Picture brush(8, 4, 1, 255);
+    for (int x = 0; x < 4; ++x) brush.at(x, 1) = 0;
+    write_png(folder_.path() / "brush.png", brush, {});
     judged_ = rich_;  // where the lines of the full mesh are seen, those of its smooth bends too
     judged_.image = {320, 240, Precision::float32};
     judged_.mesh.faces = 0;
@@ -178,7 +188,8 @@ class ParamsLive : public testing::Test {
     for (const BufferName buffer :
          {BufferName::shaded, BufferName::final, BufferName::depth, BufferName::normal,
           BufferName::combined_edges, BufferName::depth_edges, BufferName::normal_edges,
-          BufferName::blinn_phong, BufferName::object_id, BufferName::edge_strength, BufferName::coverage}) {
+          BufferName::blinn_phong, BufferName::object_id, BufferName::edge_strength, BufferName::coverage,
+          BufferName::curves, BufferName::strokes}) {
       // The paper's own buffer is there to be seen whatever the method.
       if (buffer == BufferName::combined_edges && before.edges.method != EdgeMethod::paper) continue;
       if (differ(before_.at(before).raw(buffer), pipeline_.at(after).raw(buffer))) return true;
@@ -236,10 +247,30 @@ class ParamsLive : public testing::Test {
       for (ModelParams& model : settings.models) {
         if (key.ends_with(".part")) model.mesh = mesh_of_parts_;
       }
+      bring_out_strokes(key, settings);
     }
     return arranged;
   }
+  /// Lines of the smooth surface are there only when asked for, and some classes only in traced lines.
+  static void bring_out_strokes(const std::string& key, Settings& settings) {
+    if (key == "stroke.tip") settings.stroke.taper_in = 20.0F;
+    if (key == "stroke.seed") settings.stroke.wobble = 2.0F;
+    if (key == "stroke.bridge") settings.curves.from = CurvesFrom::image;
+    const size_t dot = key.find('.', 7);  // "stroke.crease.width"
+    if (!key.starts_with("stroke.") || dot == std::string::npos) return;
+    const std::string of_class = key.substr(7, dot - 7);
+    if (has_param(settings, "curves." + of_class) && of_class != "silhouette")
+      set_param_text(settings, "curves." + of_class, "true", "test");
+    if (of_class != "normal" && of_class != "material") return;
+    settings.curves.from = CurvesFrom::image;
+    settings.edges.method = EdgeMethod::mitchell;
+    settings.mitchell.thin = true;
+    settings.mitchell.angle = 3.0F;
+    settings.mitchell.use_ids = of_class != "material";
+    settings.image = {448, 336, Precision::float32};  // runs of a few pixels are no class of their own
+  }
   bool is_live(const std::string& key) {
+    if (key == "stroke.coherent") return is_live_in_films(key);
     for (const Settings& arranged :
          bringing_out(key, arrangements(key.starts_with("judge.") ? judged_ : rich_, key))) {
       for (const Settings& after : all_changes(arranged, key)) {
@@ -251,6 +282,16 @@ class ParamsLive : public testing::Test {
       }
     }
     return false;
+  }
+
+  /// In the second of two frames.
+  bool is_live_in_films(const std::string& key) {
+    Settings first = rich_, second = rich_;
+    second.camera.eye.x += 0.2F;
+    first.stroke.brush = second.stroke.brush = Brush::pencil;
+    const Frame before = pipeline_.at(first);
+    const Image strokes = pipeline_.at(second, before).raw(BufferName::strokes);
+    return differ(strokes, pipeline_.at(with_change(second, key), before).raw(BufferName::strokes));
   }
 
   TempFolder folder_;
@@ -317,7 +358,8 @@ TEST_F(ParamsLive, every_parameter_changes_a_key_and_an_image) {
   EXPECT_GT(keys.size(), 200U);
   for (const std::string& key : keys) {
     const bool exempt = std::find(no_thickness.begin(), no_thickness.end(), key) != no_thickness.end();
-    const bool is_of_shadows = key.starts_with("line.shadow.");  // no detector sees any yet
+    const bool is_of_shadows =
+        key.starts_with("line.shadow.") || key.starts_with("stroke.shadow.");  // no detector sees any yet
     EXPECT_TRUE(exempt || is_of_shadows || is_for_mesh_files(key) || is_live(key)) << key << " does nothing";
   }
 }

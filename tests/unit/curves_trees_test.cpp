@@ -132,7 +132,7 @@ TEST(SmoothSilhouettes, RunWhereTheSphereTurnsAwayWhateverTheMesh) {
   const glm::dvec3 eye(3.0, 1.0, 2.0);
   const MeshTopology topology = make_topology(make_sphere(40));
   const SmoothSurface surface = make_smooth_surface(topology, 40.0, 2.0, glm::dmat3(1.0));
-  const std::vector<FaceLine> lines = SmoothSilhouettes(surface).find(surface, eye);
+  const std::vector<SurfaceLine> lines = SmoothSilhouettes(surface).find(surface, eye);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].points.front(), lines[0].points.back()) << "one ring";
   const double plane = 1.0 / glm::length(eye);  // the circle of contact lies in this plane
@@ -154,7 +154,7 @@ TEST(SmoothSilhouettes, AreThoseThatALookAtEveryFaceFinds) {
       if (towards == 1 || towards == 2) ++crossed;
     }
     size_t steps = 0;
-    for (const FaceLine& line : silhouettes.find(surface, eye)) steps += line.faces.size();
+    for (const SurfaceLine& line : silhouettes.find(surface, eye)) steps += line.faces.size();
     ASSERT_EQ(steps, crossed);
   }
 }

@@ -4,7 +4,7 @@
 #include "pipeline/flow/describe_pass.h"
 #include "pipeline/passes/edges/detection_pass.h"
 #include "pipeline/passes/ink/drawn_ink.h"
-#include "pipeline/passes/light/shade.h"
+#include "pipeline/passes/ink/under_ink.h"
 
 namespace inkbench {
 namespace {
@@ -31,9 +31,10 @@ struct InkLookInput {
   }
   InkLook get(const FrameState& frame) const {
     const Settings& settings = frame.settings;
-    InkParams ink = settings.ink;
-    ink.from = InkFrom::filter;  // whatever else is drawn
-    return {ink, is_papers_ink(settings), settings.line.colour_by_class, settings.class_looks};
+    return {{.colour = settings.ink.colour},
+            is_papers_ink(settings),
+            settings.line.colour_by_class,
+            settings.class_looks};
   }
   void fold(KeyBuilder& key, const FrameState& frame) const {
     const InkLook look = get(frame);
@@ -51,7 +52,7 @@ struct InkLookInput {
 
 const PassKind& InkPass::kind() {
   static const PassKind kKind =
-      describe_pass<InkPass>("ink", 1, {}, InkLookInput{}, value_of<ShadePass>(), value_of<FilterInk>());
+      describe_pass<InkPass>("ink", 1, {}, InkLookInput{}, value_of<UnderInk>(), value_of<FilterInk>());
   return kKind;
 }
 

@@ -24,7 +24,7 @@ class InkPass {
   using Value = Texture;
   static const PassKind& kind();
   explicit InkPass(const GeneratedSources& generated);
-  /// In: the shading, what is drawn over it (drawn_ink.h). Out: rgba32f.
+  /// In: the shading (or paper), what is drawn over it (drawn_ink.h). Out: rgba32f.
   Texture run(const InkLook& look, const Texture& shaded, const Texture& drawn) const;
   std::vector<Program*> programs() { return {&papers_, &by_class_}; }
 

@@ -4,7 +4,7 @@
 #include "pipeline/flow/describe_choice.h"
 #include "pipeline/passes/edges/detection_pass.h"
 #include "pipeline/passes/ink/ink.h"
-#include "pipeline/passes/light/shade.h"
+#include "pipeline/passes/ink/under_ink.h"
 #include "pipeline/passes/strokes/stroke_colours.h"
 
 namespace inkbench {
@@ -23,7 +23,7 @@ constinit const BufferName BufferName::final{kFinal};
 
 const PassKind& BelowStrokes::kind() {
   static const PassKind kKind =
-      describe_choice<BelowStrokes, ShadePass, InkPass>("below_strokes", InkParams::description().group, {});
+      describe_choice<BelowStrokes, UnderInk, InkPass>("below_strokes", InkParams::description().group, {});
   return kKind;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes over the shading, or over the filter's ink; and what of all that is the final image.
+// Strokes over the shading or paper, or over the filter's ink; and what of all that is the final image.
 #pragma once
 
 #include "pipeline/flow/flow.h"
@@ -8,7 +8,7 @@
 
 namespace inkbench {
 
-/// What strokes are laid over: the shading, with `ink.from = both` the filter's ink on it.
+/// What strokes are laid over: what is under ink, with `ink.from = both` the filter's ink on it.
 struct BelowStrokes {
   using Value = Texture;
   static const PassKind& kind();
