@@ -153,6 +153,10 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
       {BufferName::pair_gaps, {"meshes", "gbuffer", "pairs"}},
       {BufferName::shaded, {"meshes", "gbuffer", "shade"}},
       {BufferName::blinn_phong, {"meshes", "gbuffer", "blinn_phong"}},
+      {BufferName::curves,
+       {"meshes", "object_curves", "curves", "curve_lines", "curve_paint", "curve_colours"}},
+      {BufferName::strokes,
+       {"meshes", "object_curves", "curves", "strokes", "stroke_paint", "stroke_colours"}},
       {BufferName::final, with_meshes(kFloatChain)}};
   ASSERT_EQ(needs.size(), framebuffers().size());
   for (const auto& [buffer, expected] : needs) {
@@ -167,7 +171,9 @@ TEST(Keys, all_buffers_together_run_each_pass_once) {
   Pipeline pipeline;
   Names expected = with_meshes(kFloatChain);
   expected.insert({"blinn_phong", "lines", "paper_strength", "edge_tiles", "edge_class", "motion",
-                   "visible_range", "visible_depth", "albedo", "pairs"});
+                   "visible_range", "visible_depth", "albedo", "pairs", "object_curves", "curves",
+                   "curve_lines", "curve_paint", "curve_colours", "strokes", "stroke_paint",
+                   "stroke_colours"});
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
                             for (const BufferName buffer : framebuffers())
