@@ -122,6 +122,29 @@ TEST(Keys, placing_width_and_look_are_steps_of_their_own) {
   EXPECT_EQ(passes([](Settings& s) { s.combine.k_depth *= 2.0F; }), Names{}) << "another method's";
 }
 
+TEST(Keys, a_strokes_course_width_paint_and_colour_are_steps_of_their_own) {
+  Settings settings = small_scene();
+  settings.ink.from = InkFrom::strokes;
+  const auto passes = [&](const std::function<void(Settings&)>& change) {
+    Pipeline pipeline;
+    pipeline.at(settings).raw(BufferName::final);
+    Settings changed = settings;
+    change(changed);
+    return passes_run_by(pipeline, [&] { pipeline.at(changed).raw(BufferName::final); });
+  };
+  const Names coloured{"stroke_colours", "strokes_over"};
+  Names painted = coloured, stroked;
+  painted.insert("stroke_paint");
+  stroked = painted;
+  stroked.insert("strokes");
+  EXPECT_EQ(passes([](Settings& s) { s.ink.colour.x = 0.5F; }), coloured);
+  EXPECT_EQ(passes([](Settings& s) { s.stroke.opacity = 0.5F; }), coloured);
+  EXPECT_EQ(passes([](Settings& s) { s.stroke.brush = Brush::pencil; }), painted);
+  EXPECT_EQ(passes([](Settings& s) { s.stroke.width = 5.0F; }), stroked);
+  EXPECT_EQ(passes([](Settings& s) { s.stroke.grain = 0.1F; }), Names{}) << "a solid brush has none";
+  EXPECT_EQ(passes([](Settings& s) { s.combine.k_depth *= 2.0F; }), Names{}) << "the filter's";
+}
+
 TEST(Keys, the_papers_method_has_nothing_to_do_with_the_others_parameters) {
   EXPECT_EQ(passes_after([](Settings& s) {
               s.line.width = 4.0F;
