@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,9 +10,11 @@
 #include "app/terminal.h"
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
+#include "pipeline/base/log.h"
 #include "pipeline/base/text.h"
 #include "pipeline/export.h"
 #include "pipeline/gl/context.h"
+#include "pipeline/passes/curves/curves.h"
 #include "pipeline/vector_export.h"
 #include "pipeline/vectors/pdf_file.h"
 
@@ -75,6 +78,13 @@ void write_plot(const Frame& frame, BufferName buffer, const RenderOptions& opti
             name_of(buffer), plot.lines, plot.travel.after, plot.travel.before);
 }
 
+bool shows_curves(const Settings& settings, const std::vector<BufferName>& buffers) {
+  return settings.ink.from != InkFrom::filter ||
+         std::any_of(buffers.begin(), buffers.end(), [](BufferName buffer) {
+           return buffer == BufferName::curves || buffer == BufferName::strokes;
+         });
+}
+
 void render(const RenderOptions& options) {
   const auto [settings, made_from] = chosen_scene(options.scene);
   const std::string names = !options.buffers.empty()
@@ -97,6 +107,9 @@ void render(const RenderOptions& options) {
       write_buffer(frame, buffer, path);
       print_out("{}\n", path.string());
     }
+  }
+  if (shows_curves(settings, buffers)) {
+    for (const std::string& note : frame.value<CurvesPass>()->notes) log_note(note);
   }
 }
 

@@ -141,13 +141,7 @@ std::vector<size_t> section_ends(Points& points, bool is_closed, const FitOption
   return corners;
 }
 
-}  // namespace
-
-CubicPath fit_path(std::span<const glm::dvec2> given, const FitOptions& options) {
-  Points points = without_repeated(given);
-  if (points.empty()) return {};
-  if (points.size() < 2) return {points.front(), {}, false};
-  points = with_points_between(points, options.error);
+CubicPath fit_different(Points points, const FitOptions& options) {
   const bool is_closed = points.size() > 3 && points.front() == points.back();
   bool is_round = false;
   const std::vector<size_t> ends = section_ends(points, is_closed, options, is_round);
@@ -156,6 +150,15 @@ CubicPath fit_path(std::span<const glm::dvec2> given, const FitOptions& options)
   CubicPath path{points.front(), {}, is_closed};
   for (size_t i = 1; i < ends.size(); ++i) fitter.fit(ends[i - 1], ends[i], is_round, path.pieces);
   return path;
+}
+
+}  // namespace
+
+CubicPath fit_path(std::span<const glm::dvec2> points, const FitOptions& options) {
+  const Points different = without_repeated(points);
+  if (different.empty()) return {};
+  if (different.size() < 2) return {different.front(), {}, false};
+  return fit_different(with_points_between(different, options.error), options);
 }
 
 CubicPath fit_path(std::span<const glm::vec2> points, const FitOptions& options) {

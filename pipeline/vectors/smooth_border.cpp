@@ -50,7 +50,7 @@ Points evened(const Points& points, bool is_round) {
   return result;
 }
 
-/// From `begin` by the middles of the sides between two corners of pixels to `end`.
+/// The middles of the pixels' sides along a part of a border.
 Points middles(const Points& corners, size_t first, size_t last) {
   Points points;
   for (size_t i = first; i < last; ++i) points.push_back(0.5 * (corners[i] + corners[i + 1]));
