@@ -100,6 +100,13 @@ Supersampler& Pipeline::supersampler() {
   return *supersampler_;
 }
 
+Frame Frame::without_past() const {
+  auto state = std::make_shared<FrameState>(state_->settings, nullptr, state_->window);
+  state->keys = state_->keys;
+  state->given = state_->given;
+  return {*pipeline_, std::move(state)};
+}
+
 Frame Pipeline::make_frame(std::shared_ptr<FrameState> state) {
   for (const auto& node : flow_.nodes()) state->keys.push_back(node->key(*state));
   return {*this, std::move(state)};

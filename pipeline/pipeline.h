@@ -89,6 +89,10 @@ class Frame {
   Key key_of() const;
   /// Of every pass, in the order of `Pipeline::pass_names`.
   const std::vector<Key>& pass_keys() const { return state_->keys; }
+  /// The same frame, which no longer holds the one before it: for taking as a past in turn, without an end.
+  /// What its passes made of their past is there as long as a node holds it; after that it is made without.
+  Frame without_past() const;
+
   /// Decides every buffer's picture.
   Key key() const;
   /// What drawing this frame costs after the other one, by the passes whose keys differ; only the order

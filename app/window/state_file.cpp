@@ -41,6 +41,7 @@ Json view_of(const ViewState& view) {
             {"selected", name_of(view.selected)},
             {"filled", view.filled ? std::string(name_of(*view.filled)) : ""},
             {"marked", view.marked ? Json{view.marked->x, view.marked->y} : Json(nullptr)},
+            {"curve", view.curve_words},
             {"wireframe", view.wireframe},
             {"tool", tool_name(view.tool)},
             {"brush_px", view.brush_px}};

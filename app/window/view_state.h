@@ -4,6 +4,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/workbench/painted_marks.h"
 #include "pipeline/buffers.h"
@@ -41,6 +43,9 @@ struct MarkedPixel {
 /// What dragging on a picture does.
 enum class MouseTool { view, camera, mark };
 
+/// What is edited in the place of timings and log.
+enum class OpenEditor { none, ramps, style };
+
 struct ViewState {
   double zoom = 1.0;                      ///< 1 fits the picture into its tile.
   double centre_x = 0.5, centre_y = 0.5;  ///< The picture's point in the tile's middle, as shares, y down.
@@ -56,10 +61,13 @@ struct ViewState {
   bool wireframe = false;                      ///< The meshes' edges over the pictures.
   bool camera_moving = false;                  ///< The mouse drags the camera.
   std::optional<HoveredPixel> hovered;
+  std::vector<std::string> curve_words;  ///< What is said of the curve under the mouse; empty without one.
   std::optional<MarkedPixel> marked_before;  ///< What a second click brings back.
   std::optional<MarkedPixel> marked;         ///< Asked why it is as it is; shown on all pictures.
-  bool edits_ramps = false;                  ///< The ramp editor is open, in the place of timings and log.
+  OpenEditor editor = OpenEditor::none;
 
+  /// Closes the one that is open.
+  void toggle(OpenEditor which) { editor = editor == which ? OpenEditor::none : which; }
   void fit() {
     zoom = 1.0;
     centre_x = centre_y = 0.5;

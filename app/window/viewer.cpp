@@ -5,6 +5,7 @@
 
 #include "app/window/listed_buffers.h"
 #include "pipeline/base/error.h"
+#include "pipeline/passes/curves/curves.h"
 #include "pipeline/settings/settings_file.h"
 
 namespace inkbench {
@@ -30,7 +31,9 @@ Key Viewer::state_to_draw(const Settings& settings) const {
 /// Works anything out only where something changed, or while the levels of a mesh are made.
 void Viewer::update_target() {
   const bool is_level = target_.settings.mesh == document_.settings().mesh;
-  if (target_.revision == document_.revision() && target_.files_revision == disk.revision() && is_level)
+  const bool was_turning = target_.has_past && !document_.is_editing();
+  if (!was_turning && target_.revision == document_.revision() && target_.files_revision == disk.revision() &&
+      is_level)
     return;
   target_ = {ladders.drawable(pictures.pipeline().meshes(), document_.settings()),
              document_.revision(),
@@ -38,6 +41,19 @@ void Viewer::update_target() {
              {},
              {}};
   target_.state = state_to_draw(target_.settings);
+}
+
+/// While the camera is dragged paint stays where it was on the lines. At rest pictures are those of their
+/// settings alone, whatever was seen before: the ones that files get.
+Frame Viewer::next_frame() {
+  Pipeline& pipeline = pictures.pipeline();
+  if (document_.is_editing() && drawn_) {
+    Settings turned = drawn_->settings();
+    turned.camera = target_.settings.camera;
+    target_.has_past = same_settings(turned, target_.settings);
+  }
+  return target_.has_past ? pipeline.at(target_.settings, drawn_->without_past())
+                          : pipeline.at(target_.settings);
 }
 
 void Viewer::draw(const Frame& frame) {
@@ -64,7 +80,7 @@ void Viewer::refresh() {
   window_timer.begin_frame(frame_times.frames);
   if (failed_ == state) return;
   try {
-    if (!target_.frame) target_.frame = pictures.pipeline().at(target_.settings);
+    if (!target_.frame) target_.frame = next_frame();
     draw(*target_.frame);
     drawn_ = target_.frame;
     if (target_.settings.mesh == document_.settings().mesh) last_good_ = document_.settings();
@@ -94,6 +110,14 @@ const Explanation& Viewer::explain_pinned(int x, int y) {
   explanation_ = explain_pixel(maps, x, y);
   explained_ = key;
   return explanation_;
+}
+
+const Curves& Viewer::curves() {
+  const Key key = drawn_->key_of<CurvesPass>();
+  if (curves_ && curves_key_ == key) return *curves_;
+  curves_ = drawn_->value<CurvesPass>();
+  curves_key_ = key;
+  return *curves_;
 }
 
 void Viewer::pin() {

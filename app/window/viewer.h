@@ -4,6 +4,7 @@
 // here draws widgets.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "app/window/disk_watch.h"
@@ -17,6 +18,7 @@
 #include "app/window/wire_painter.h"
 #include "app/workbench/document.h"
 #include "app/workbench/window_layout.h"
+#include "pipeline/curves/curve.h"
 #include "pipeline/explain.h"
 
 namespace inkbench {
@@ -51,6 +53,8 @@ class Viewer {
   const Explanation& explain_pinned(int x, int y);
   /// The last one.
   const Explanation& explained() const { return explanation_; }
+  /// The curves of what is drawn, which must be there; kept until they change. Errors: as their pass.
+  const Curves& curves();
   /// Keeps the shown pictures to compare with.
   void pin();
 
@@ -78,6 +82,7 @@ class Viewer {
   };
   Key state_to_draw(const Settings& settings) const;
   void update_target();
+  Frame next_frame();
   void draw(const Frame& frame);
   void fail(const Key& state, const std::string& why);
   const WayBack& way_back();
@@ -93,6 +98,7 @@ class Viewer {
     long revision = -1, files_revision = -1;
     Key state;
     std::optional<Frame> frame;
+    bool has_past = false;  ///< `frame` goes on from the one before it.
   } target_;
   std::optional<Frame> drawn_;         ///< Of the pictures that are shown.
   std::optional<Settings> last_good_;  ///< That gave pictures.
@@ -100,7 +106,9 @@ class Viewer {
   WayBack way_back_;
   std::optional<Key> way_back_from_;  ///< The failure that it was found for.
   Explanation explanation_;
-  Key explained_;    ///< What `explanation_` is of.
+  Key explained_;  ///< What `explanation_` is of.
+  std::shared_ptr<const Curves> curves_;
+  Key curves_key_;
   Key drawn_state_;  ///< In the last frame.
   long drawn_changes_ = 0;
 };

@@ -30,7 +30,8 @@ struct FieldText {
   Limits limits{};              ///< Hard limits, both allowed; each component of a vector.
   Limits slider{};              ///< The useful range; the hard limits where left out.
   Scale scale = Scale::linear;  ///< Of the slider, and of a sweep that does not say.
-  bool is_path = false;  ///< A file's path: relative ones are resolved against the file that sets them.
+  bool is_path = false;     ///< A file's path: relative ones are resolved against the file that sets them.
+  bool is_profile = false;  ///< Widths along a stroke, as `parse_profile` reads them.
   bool (*is_no_path)(std::string_view) =
       nullptr;                 ///< What such a field takes for something else than a path.
   std::string_view zero_text;  ///< "all": what a slider shows for 0, which stands beyond its largest value.

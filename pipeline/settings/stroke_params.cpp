@@ -54,7 +54,8 @@ std::vector<Field> width_fields() {
       field<&StrokeParams::profile>(
           {.name = "profile",
            .help = "Width along the stroke from its start, 0, to its end, 1, as pairs of a place and a share "
-                   "of the width: \"0 0.2, 0.5 1, 1 0\"; empty: all of it."}),
+                   "of the width: \"0 0.2, 0.5 1, 1 0\"; empty: all of it.",
+           .is_profile = true}),
   };
 }
 

@@ -200,5 +200,23 @@ TEST(InkFrom, paper_is_blank_but_for_the_ink) {
   EXPECT_GT(blank, 5000);
 }
 
+TEST(InkFrom, paint_goes_on_from_a_frame_that_forgot_its_own_past) {
+  const auto third_of = [](bool forgets) {
+    Settings settings = stroked_scene(InkFrom::strokes);
+    Pipeline pipeline;
+    Frame frame = pipeline.at(settings);
+    for (int i = 0; i < 2; ++i) {
+      frame.value<StrokesPass>();
+      settings.camera.eye.x += 0.1F;
+      frame = pipeline.at(settings, forgets ? frame.without_past() : frame);
+    }
+    return frame.value<StrokesPass>();
+  };
+  const auto whole = third_of(false), cut = third_of(true);
+  ASSERT_EQ(cut->courses.size(), whole->courses.size());
+  for (size_t i = 0; i < cut->courses.size(); ++i)
+    EXPECT_EQ(cut->courses[i].places, whole->courses[i].places) << i;
+}
+
 }  // namespace
 }  // namespace inkbench

@@ -40,6 +40,7 @@ constexpr std::array kParameters{
     Entry{"Ctrl+click", "type a number"},
     Entry{"Right click", "reset to the scene's value"},
     Entry{"R", "edit the ramps; Delete removes a stop"},
+    Entry{"T", "stroke styles; draw the width by hand"},
     Entry{"Ctrl+F", "search parameters"},
     Entry{"S, Shift+S", "sweep the one under the mouse; as a grid"},
 };

@@ -106,6 +106,7 @@ MainFrame::MainFrame(Workbench& bench)
              bench.ui_map),
       studies_(bench.document, bench.viewer, bench.studies, bench.problems, bench.requests, bench.ui_map),
       ramp_editor_(bench.document, bench.viewer.disk, bench.layout, bench.problems, bench.ui_map),
+      style_editor_(bench.document, bench.problems, bench.ui_map),
       log_(bench.log, bench.ui_map),
       file_menu_(bench.document, bench.files, bench.keeping, bench.problems, bench.requests,
                  bench.wanted_dialog, bench.ui_map),
@@ -141,7 +142,8 @@ MainFrame::Places MainFrame::arrange() const {
   const float spare = screen.x - left - right - scaled(kSmallestMiddle);
   if (spare < 0) right = std::max(0.0F, right + spare);
   const bool fits = screen.y >= scaled(kBottomFits);
-  const bool has_bottom = (fits && (layout.show_timings || layout.show_log)) || bench_.view.edits_ramps;
+  const bool has_bottom =
+      (fits && (layout.show_timings || layout.show_log)) || bench_.view.editor != OpenEditor::none;
   const float wanted = std::max(std::round(layout.bottom * screen.y), scaled(kSmallestBottom));
   const float bottom = has_bottom ? std::min(wanted, (foot - top) * (fits ? 0.6F : 0.5F)) : 0;
   const float middle_foot = bottom > 0 ? foot - bottom - gap : foot;
@@ -182,16 +184,21 @@ void MainFrame::draw_dividers(const Places& places) {
   divider(ui_map, "divider:bottom", places.bottom_divider, false, layout.bottom, -1, 0.6F);
 }
 
+template <class Draw>
+void MainFrame::draw_editor(const Places& places, const char* heading, const char* close, const Draw& draw) {
+  panel(heading, {places.timings.low, places.log.high}, theme().panel, [&] {
+    panel_heading(heading);
+    if (close_button("close")) bench_.view.editor = OpenEditor::none;
+    bench_.ui_map.mark_item(close);
+    draw();
+  });
+}
+
 void MainFrame::draw_bottom(const Places& places) {
-  if (bench_.view.edits_ramps) {
-    panel("ramps", {places.timings.low, places.log.high}, theme().panel, [&] {
-      panel_heading("Ramps");
-      if (close_button("close")) bench_.view.edits_ramps = false;
-      bench_.ui_map.mark_item("close ramps");
-      ramp_editor_.draw();
-    });
-    return;
-  }
+  if (bench_.view.editor == OpenEditor::ramps)
+    return draw_editor(places, "Ramps", "close ramps", [&] { ramp_editor_.draw(); });
+  if (bench_.view.editor == OpenEditor::style)
+    return draw_editor(places, "Stroke style", "close style", [&] { style_editor_.draw(); });
   const Viewer& viewer = bench_.viewer;
   panel("timings", places.timings, theme().panel, [&] {
     panel_heading("Timings");

@@ -17,6 +17,7 @@
 #include "app/panels/judge/judge_view.h"
 #include "app/panels/parameters/parameters.h"
 #include "app/panels/parameters/ramp_editor.h"
+#include "app/panels/parameters/style_editor.h"
 #include "app/panels/pictures/contact_sheet.h"
 #include "app/panels/pictures/inspector.h"
 #include "app/panels/pictures/views_panel.h"
@@ -41,6 +42,8 @@ class MainFrame {
   void draw_menu_bar();
   void draw_pictures();
   void draw_dividers(const Places& places);
+  template <class Draw>
+  void draw_editor(const Places& places, const char* heading, const char* close, const Draw& draw);
   void draw_bottom(const Places& places);
 
   Workbench& bench_;
@@ -56,6 +59,7 @@ class MainFrame {
   ContactSheet sheet_;
   StudiesPage studies_;
   RampEditor ramp_editor_;
+  StyleEditor style_editor_;
   LogPanel log_;
   FileMenu file_menu_;
   ViewMenu view_menu_;

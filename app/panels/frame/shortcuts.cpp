@@ -99,7 +99,8 @@ void Shortcuts::keys_of_pictures() {
 
 void Shortcuts::keys_of_panels(const ShownParts& shown) {
   if (pressed(GLFW_KEY_TAB)) toggle_panels(layout_);
-  if (letter_pressed('r')) view_.edits_ramps = !view_.edits_ramps;
+  if (letter_pressed('r')) view_.toggle(OpenEditor::ramps);
+  if (letter_pressed('t')) view_.toggle(OpenEditor::style);
   if (!letter_pressed('j') || !shown.right) return;
   const bool on = layout_.show_inspector && layout_.side_page == SidePage::judge;
   layout_.side_page = on ? SidePage::inspector : SidePage::judge;

@@ -21,7 +21,11 @@ void ViewMenu::draw() {
   panel("Inspector", layout_.show_inspector);
   panel("Timings", layout_.show_timings);
   panel("Log", layout_.show_log);
-  if (menu_item(ui_map_, "Ramp editor", "R", view_.edits_ramps)) view_.edits_ramps = !view_.edits_ramps;
+  const auto editor = [&](const char* label, const char* key, OpenEditor which) {
+    if (menu_item(ui_map_, label, key, view_.editor == which)) view_.toggle(which);
+  };
+  editor("Ramp editor", "R", OpenEditor::ramps);
+  editor("Stroke style editor", "T", OpenEditor::style);
   ImGui::Separator();
   if (menu_item(ui_map_, "Pin this state", "P")) pin_state(viewer_, view_);
   if (menu_item(ui_map_, "Compare", "C", view_.comparison.active)) toggle_comparison(viewer_.pictures, view_);

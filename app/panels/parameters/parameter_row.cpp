@@ -106,12 +106,21 @@ void text_editor(Document& document, UiMap& ui_map, const RowContext& row, float
   if (!ImGui::IsItemActive()) help_for_parameter(row);
 }
 
+/// As text, with a button that opens what draws it by hand.
+void profile_editor(Document& document, ViewState& view, UiMap& ui_map, const RowContext& row, float width) {
+  const float button = button_width("Draw");
+  text_editor(document, ui_map, row, width - button - scaled(4));
+  ImGui::SameLine(0, scaled(4));
+  if (ImGui::Button("Draw")) view.editor = OpenEditor::style;
+  ui_map.mark_item("draw:" + row.key);
+}
+
 /// The ramp's colours from 0 to 1; an image's are not read here.
 void ramp_strip(ViewState& view, UiMap& ui_map, const RowContext& row, float width) {
   const auto& ramp = std::get<Ramp>(row.value);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
-  if (ImGui::InvisibleButton("ramp", {width, height})) view.edits_ramps = true;
+  if (ImGui::InvisibleButton("ramp", {width, height})) view.editor = OpenEditor::ramps;
   ui_map.mark_item("strip:" + row.key);
   const bool hot = ImGui::IsItemHovered();
   if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -146,6 +155,7 @@ void editor(Document& document, ViewState& view, Studies& studies, const FitDesk
     case FieldType::choice:
       return choice_editor(document, ui_map, row, width);
     case FieldType::text:
+      if (row.field->is_profile) return profile_editor(document, view, ui_map, row, width);
       return text_editor(document, ui_map, row, width);
     case FieldType::ramp:
       return ramp_strip(view, ui_map, row, width);

@@ -167,6 +167,7 @@ void ContactSheet::draw_sheet(ImVec2 low, ImVec2 room) {
 
 void ContactSheet::draw() {
   view_.hovered.reset();
+  view_.curve_words.clear();
   const float edge = scaled(12);
   ImVec2 low = ImGui::GetCursorScreenPos();
   ImVec2 room = ImGui::GetContentRegionAvail();

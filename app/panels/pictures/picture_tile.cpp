@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/panels/pictures/camera_mouse.h"
+#include "app/panels/pictures/curve_hover.h"
 #include "app/panels/pictures/mark.h"
 #include "app/panels/pictures/mark_brush.h"
 #include "app/panels/widgets/held_drag.h"
@@ -98,6 +99,7 @@ void draw_picture(const Document& document, Viewer& viewer, ViewState& view, con
   if (view.wireframe && !which.pinned) draw_wires(viewer, place, rect);
   if (!which.pinned) draw_marks(document, viewer, view, frame);
   draw_mark(view, frame);
+  if (view.hovered && view.hovered->picture == which) draw_curve_under_mouse(viewer, view, which, frame);
   list.PopClipRect();
 }
 
