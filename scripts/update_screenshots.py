@@ -177,6 +177,30 @@ def ramps(window):
     window.save("ramps")
 
 
+def curve(window):
+    """The curve under the mouse, with what it is."""
+    window.input("mousemove", *window.place("tile:curves"), "click", "--repeat", 2, "--delay", 60, 1)
+    across = 0.4
+    while not window.state()["view"]["curve"]:
+        across += 0.004
+        window.move("tile:curves", across, 0.3)
+    window.save("curve")
+
+
+def style(window):
+    """A bundled style, its width along the stroke drawn by hand."""
+    window.key("t")
+    window.click("style:ink_brush")
+    graph = "profile:stroke.profile"
+    places = [window.place(graph, *at) for at in ((0, 0.9), (0.15, 0.5), (0.3, 0.15), (0.45, 0.1), (0.6, 0.5), (0.75, 0.2), (1, 0.95))]
+    steps = [word for start, end in zip(places, places[1:]) for i in range(1, 5) for word in
+             ("mousemove", *(round(a + (b - a) * i / 4) for a, b in zip(start, end)), "sleep", "0.05")]
+    window.input("mousemove", *places[0], "mousedown", 1, *steps, "mouseup", 1)
+    window.key("7")
+    window.input("mousemove", 640, 60)
+    window.save("style")
+
+
 def polygons(window):
     """A level of the rabbit with its triangles, in the light theme."""
     window.click("menu:View")
@@ -200,8 +224,8 @@ def study(window):
     window.save("study")
 
 
-SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "fit": fit, "marks": marks, "ramps": ramps, "polygons": polygons,
-         "study": study}
+SHOTS = {"sheet": sheet, "judge": judge, "causes": causes, "fit": fit, "marks": marks, "ramps": ramps, "curve": curve, "style": style,
+         "polygons": polygons, "study": study}
 
 
 def main():

@@ -16,6 +16,13 @@
 namespace inkbench {
 namespace {
 
+/// Of an image of one tile, which has strokes.
+Image marked_tile() {
+  Image tile(1, 1, 1);
+  tile.at(0, 0) = 1.0F;
+  return tile;
+}
+
 /// Colours of channels that one pixel has, by class.
 glm::vec4 colour_of(const StrokeLook& look, const std::vector<std::pair<CurveClass, float>>& shares) {
   StrokeChannels channels;
@@ -26,6 +33,7 @@ glm::vec4 colour_of(const StrokeLook& look, const std::vector<std::pair<CurveCla
     }
     channels.classes[i] = to_texture(image);
   }
+  channels.tiles = to_texture(marked_tile());
   const Image colours = StrokeColoursPass(generated_sources()).run(look, channels).read(0, 4);
   return {colours.at(0, 0, 0), colours.at(0, 0, 1), colours.at(0, 0, 2), colours.at(0, 0, 3)};
 }
@@ -67,6 +75,7 @@ TEST(StrokeInk, is_the_largest_coverage_and_its_class) {
   first.at(0, 0, 0) = 0.3F;
   first.at(0, 0, 3) = 0.8F;
   channels.classes[0] = to_texture(first);
+  channels.tiles = to_texture(marked_tile());
   const Image ink = StrokeInkPass(generated_sources()).run(channels).read(0, 2);
   EXPECT_NEAR(ink.at(0, 0, 0), 0.8F, 0.003F);
   EXPECT_EQ(std::lround(ink.at(0, 0, 1) * 255.0F), static_cast<int>(EdgeClass::crease));

@@ -7,7 +7,11 @@
 
 #include "pipeline/image/png_file.h"
 #include "pipeline/passes/strokes/stroke_draw.h"
+#include "pipeline/passes/strokes/stroke_tiles.h"
+#include "pipeline/passes/strokes/strokes.h"
+#include "pipeline/pipeline.h"
 #include "tests/gl/checks.h"
+#include "tests/gl/scenes.h"
 #include "tests/unit/strokes_support.h"
 
 namespace inkbench {
@@ -181,6 +185,33 @@ TEST(StrokesDrawn, paint_is_picked_by_where_the_nearest_part_of_the_stroke_is) {
   const Image once = drawn_channels(strokes, {Brush::image, image, 16.0F, BrushFit::stretch, 1.0F, 1.0F});
   EXPECT_GT(once.at(30, 20, 0), 0.99F);
   EXPECT_LT(once.at(50, 20, 0), 0.01F);
+}
+
+Settings strokes_of_a_scene() {
+  Settings settings = analytic_scene();
+  settings.ink.from = InkFrom::strokes;
+  settings.stroke.width = 3.0F;
+  return settings;
+}
+
+TEST(StrokeTiles, have_every_painted_pixel_of_any_part_of_the_image_and_not_the_whole_of_it) {
+  const Strokes strokes = *Pipeline().at(strokes_of_a_scene()).value<StrokesPass>();
+  const int whole_width = strokes.width_px, whole_height = strokes.height_px;
+  for (const ImageWindow& window :
+       {window_of(whole_width, whole_height),
+        ImageWindow{13, 9, whole_width - 30, whole_height - 21, whole_width, whole_height, std::nullopt}}) {
+    const Image tiles = stroke_tiles(strokes, window);
+    const Image drawn = drawn_channels(strokes, {}, window);
+    double empty = 0;
+    for (const float tile : tiles.samples) empty += 1.0 - tile;
+    EXPECT_GT(empty, 0.2 * static_cast<double>(tiles.samples.size()));
+    for (int y = 0; y < drawn.height_px; ++y) {
+      const int row = tiles.height_px - 1 - (drawn.height_px - 1 - y) / 8;
+      for (int x = 0; x < drawn.width_px; ++x)
+        for (int c = 0; c < 12; ++c)
+          ASSERT_TRUE(drawn.at(x, y, c) == 0.0F || tiles.at(x / 8, row) == 1.0F) << x << ", " << y;
+    }
+  }
 }
 
 TEST(StrokesDrawn, without_strokes_nothing_is_drawn) {

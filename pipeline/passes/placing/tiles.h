@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Drawing over those tiles of an image alone that matter: shaders/tiles.vert takes those that a map says,
 // tiles_near_lines.vert those with a line in reach. Fragments are there and nowhere else; the rest of the
-// target is cleared to 0.
+// target is cleared.
 #pragma once
 
+#include <glm/vec4.hpp>
 #include <initializer_list>
 
 #include "pipeline/gl/program.h"
@@ -25,8 +26,9 @@ inline const UniformBlock kSquaresBlock{"squares_block", sizeof(SquaresBlock)};
 
 /// Draws a program with one of those vertex shaders. `reach_px`: how far from a pixel something matters to
 /// it. Samplers in the program's order, the vertex shader's map among them; blocks too, of which the last is
-/// added here.
+/// added here. `elsewhere`: what the target has where nothing is drawn.
 void draw_over_tiles(const Texture& target, const Program& program, int reach_px,
-                     std::initializer_list<const Texture*> maps, std::initializer_list<const Buffer*> blocks);
+                     std::initializer_list<const Texture*> maps, std::initializer_list<const Buffer*> blocks,
+                     const glm::vec4& elsewhere = glm::vec4(0.0F));
 
 }  // namespace inkbench

@@ -7,6 +7,7 @@
 #include "pipeline/passes/edges/detection_pass.h"
 #include "pipeline/passes/gbuffer/albedo.h"
 #include "pipeline/passes/light/shade.h"
+#include "pipeline/passes/placing/tiles.h"
 #include "pipeline/passes/strokes/stroke_paint.h"
 
 namespace inkbench {
@@ -27,9 +28,11 @@ struct StrokeLookBlock {
 };
 const UniformBlock kStrokeLookBlock{"stroke_look_block", sizeof(StrokeLookBlock)};
 
-const ProgramInputs kInputs{.samplers = {"first_classes", "next_classes", "last_classes", "colour_map",
-                                         "normal_and_depth_map", "object_id_map"},
-                            .uniform_blocks = {kStrokeLookBlock}};
+const ProgramInputs kOwnInputs{.samplers = {"first_classes", "next_classes", "last_classes", "tile_map"},
+                               .uniform_blocks = {kStrokeLookBlock, kSquaresBlock}};
+const ProgramInputs kSurfaceInputs{.samplers = {"first_classes", "next_classes", "last_classes", "colour_map",
+                                                "normal_and_depth_map", "object_id_map", "tile_map"},
+                                   .uniform_blocks = {kStrokeLookBlock, kSquaresBlock}};
 
 StrokeLookBlock block_of(const StrokeLook& look) {
   StrokeLookBlock block{};
@@ -93,24 +96,27 @@ const PassKind& StrokeColours::kind() {
 }
 
 StrokeColoursPass::StrokeColoursPass(const GeneratedSources& generated)
-    : in_one_("full_screen.vert", "stroke_colours.frag", kInputs, generated),
-      by_class_("full_screen.vert", "stroke_colours_by_class.frag", kInputs, generated),
-      of_surface_("full_screen.vert", "stroke_colours_of_surface.frag", kInputs, generated) {}
+    : in_one_("tiles.vert", "stroke_colours.frag", kOwnInputs, generated),
+      by_class_("tiles.vert", "stroke_colours_by_class.frag", kOwnInputs, generated),
+      of_surface_("tiles.vert", "stroke_colours_of_surface.frag", kSurfaceInputs, generated) {}
 
 Texture StrokeColoursPass::run(const StrokeLook& look, const StrokeChannels& channels, const Texture* albedo,
                                const Texture* shaded, const GBuffer* gbuffer) const {
   const auto& [first, next, last] = channels.classes;
   Texture colours("stroke colours", TextureFormat::rgba32f, first.width_px(), first.height_px());
+  constexpr glm::vec4 kNoStroke(1.0F, 1.0F, 1.0F, 0.0F);
   StrokeLookBlock block = block_of(look);
   block.reach_px = surface_reach_px(channels.widest_px);
   const Buffer uniforms = uniform_buffer("stroke look block", block);
   const Texture* surface = albedo != nullptr ? albedo : shaded;
   if (surface == nullptr || gbuffer == nullptr)
-    draw_over(colours, look.colour == StrokeColour::by_class ? by_class_ : in_one_, {&first, &next, &last},
-              {&uniforms});
+    draw_over_tiles(colours, look.colour == StrokeColour::by_class ? by_class_ : in_one_, 0,
+                    {&first, &next, &last, &channels.tiles}, {&uniforms}, kNoStroke);
   else
-    draw_over(colours, of_surface_,
-              {&first, &next, &last, surface, &gbuffer->normal_and_depth, &gbuffer->object_id}, {&uniforms});
+    draw_over_tiles(
+        colours, of_surface_, 0,
+        {&first, &next, &last, surface, &gbuffer->normal_and_depth, &gbuffer->object_id, &channels.tiles},
+        {&uniforms}, kNoStroke);
   return colours;
 }
 

@@ -6,6 +6,7 @@
 #include "pipeline/gl/framebuffer.h"
 #include "pipeline/passes/strokes/brush_image.h"
 #include "pipeline/passes/strokes/stroke_points.h"
+#include "pipeline/passes/strokes/stroke_tiles.h"
 
 namespace inkbench {
 namespace {
@@ -102,6 +103,9 @@ StrokeChannels StrokeDrawPass::run(const BrushParams& brush, const ImageWindow& 
   StrokeChannels channels;
   for (Texture& texture : channels.classes)
     texture = Texture("stroke classes", TextureFormat::rgba8, window.width, window.height);
+  const Image tiles = stroke_tiles(strokes, window);
+  channels.tiles = Texture("stroke tiles", TextureFormat::r8, tiles.width_px, tiles.height_px);
+  channels.tiles.upload(tiles);
   const auto& [first, next, last] = channels.classes;
   const RenderTarget target({&first, &next, &last}, nullptr);
   clear_colours(3);

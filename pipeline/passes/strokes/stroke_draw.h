@@ -18,6 +18,7 @@ namespace inkbench {
 /// 0 to 1, covered ones times `stroke.hidden_opacity`.
 struct StrokeChannels {
   std::array<Texture, 3> classes;
+  Texture tiles;           ///< r8, a texel for 8 x 8 pixels: 1 where strokes may be (stroke_tiles.h).
   float widest_px = 0.0F;  ///< Width of the widest stroke.
 };
 

@@ -3,6 +3,7 @@
 
 #include "pipeline/flow/describe_pass.h"
 #include "pipeline/passes/edges/detection_pass.h"
+#include "pipeline/passes/placing/tiles.h"
 #include "pipeline/passes/strokes/stroke_paint.h"
 
 namespace inkbench {
@@ -40,9 +41,9 @@ const PassKind& StrokeInkPass::kind() {
 }
 
 StrokeInkPass::StrokeInkPass(const GeneratedSources& generated)
-    : program_("full_screen.vert", "stroke_ink.frag",
-               {.samplers = {"first_classes", "next_classes", "last_classes"},
-                .uniform_blocks = {{"stroke_ink_block", sizeof(StrokeInkBlock)}}},
+    : program_("tiles.vert", "stroke_ink.frag",
+               {.samplers = {"first_classes", "next_classes", "last_classes", "tile_map"},
+                .uniform_blocks = {{"stroke_ink_block", sizeof(StrokeInkBlock)}, kSquaresBlock}},
                generated) {}
 
 Texture StrokeInkPass::run(const StrokeChannels& channels) const {
@@ -52,7 +53,7 @@ Texture StrokeInkPass::run(const StrokeChannels& channels) const {
   for (int i = 0; i < static_cast<int>(kCurveClasses); ++i)
     block.edge_class[i / 4][i % 4] = static_cast<float>(edge_class_of(static_cast<CurveClass>(i)));
   const Buffer uniforms = uniform_buffer("stroke ink block", block);
-  draw_over(ink, program_, {&first, &next, &last}, {&uniforms});
+  draw_over_tiles(ink, program_, 0, {&first, &next, &last, &channels.tiles}, {&uniforms});
   return ink;
 }
 
