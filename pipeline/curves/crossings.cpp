@@ -146,7 +146,8 @@ class Splitter {
   const LinePoint& to(const Step& step) const { return lines_[step.line].points[step.at + 1]; }
 
   void find_on(const Step& step, Found& found) const {
-    std::vector<uint32_t> near;
+    thread_local std::vector<uint32_t> near;  // so that a step allocates nothing
+    near.clear();
     grid_.each_near(from(step).pixel, to(step).pixel, [&](uint32_t number) { near.push_back(number); });
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
@@ -203,8 +204,13 @@ class Splitter {
   }
 
   static void put_points(ViewLine& line, std::span<const Found> found) {
+    size_t added = 0;
+    for (const Found& on_step : found) added += on_step.places.size();
+    if (added == 0) return;
     std::vector<LinePoint> points;
     std::vector<LineStep> steps;
+    points.reserve(line.points.size() + added);
+    steps.reserve(line.steps.size() + added);
     for (size_t at = 0; at < line.steps.size(); ++at) {
       const LinePoint& a = line.points[at];
       const LinePoint& b = line.points[at + 1];
