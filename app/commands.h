@@ -19,6 +19,7 @@ void add_measure_command(CLI::App& app);
 void add_explain_command(CLI::App& app);
 void add_decimate_command(CLI::App& app);
 void add_params_command(CLI::App& app);
+void add_styles_command(CLI::App& app);
 void add_passes_command(CLI::App& app);
 void add_info_command(CLI::App& app);
 

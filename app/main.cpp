@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   inkbench::add_explain_command(app);
   inkbench::add_decimate_command(app);
   inkbench::add_params_command(app);
+  inkbench::add_styles_command(app);
   inkbench::add_passes_command(app);
   inkbench::add_info_command(app);
   refuse_empty_values(app);

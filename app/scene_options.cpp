@@ -4,7 +4,6 @@
 #include "app/size_option.h"
 #include "pipeline/base/files.h"
 #include "pipeline/base/log.h"
-#include "pipeline/base/text.h"
 #include "pipeline/export.h"
 #include "pipeline/mesh/levels/replace_mesh.h"
 #include "pipeline/mesh/levels/scene_file.h"
@@ -32,7 +31,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
                      "Mesh file (OBJ, PLY, OFF, STL, glTF, FBX and more) to put where the main model stands");
   command.add_option("--size", options.size, "Image size in px, as WIDTHxHEIGHT");
   command.add_option("--style", options.style,
-                     "Draw strokes in a style: " + join(style_names(), ", ") + ", or a file");
+                     "Draw strokes in a style: a bundled one (`inkbench styles` lists them), or a file");
   command
       .add_option("--set", options.assignments,
                   "KEY=VALUE: set a parameter (`inkbench params` lists them); repeatable")

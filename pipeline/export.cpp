@@ -6,9 +6,10 @@
 #include "pipeline/base/error.h"
 #include "pipeline/base/files.h"
 #include "pipeline/lines/class_pixels.h"
-#include "pipeline/lines/drawing.h"
-#include "pipeline/passes/lines/reference.h"
 #include "pipeline/settings/settings_file.h"
+#include "pipeline/vector_export.h"
+#include "pipeline/vectors/pdf_file.h"
+#include "pipeline/vectors/svg_page.h"
 
 namespace inkbench {
 namespace {
@@ -16,6 +17,12 @@ namespace {
 constexpr const char* kVersionEntry = "inkbench:version";
 constexpr const char* kSettingsEntry = "inkbench:settings";
 constexpr const char* kFilesEntry = "inkbench:files";
+
+/// The entry of an image or of a vector file; "" where there is none.
+std::string read_entry(const fs::path& path, const std::string& name) {
+  if (path.extension() == ".svg") return svg_entry(read_file(path, kMostImageBytes), name);
+  return read_image_text(path, name);
+}
 
 }  // namespace
 
@@ -31,11 +38,11 @@ ImageText export_text(const Settings& settings, BufferName buffer, const std::ve
 }
 
 bool has_origin(const std::filesystem::path& image) {
-  return !read_image_text(image, kSettingsEntry).empty();
+  return !read_entry(image, kSettingsEntry).empty();
 }
 
 ImageOrigin read_origin(const std::filesystem::path& image) {
-  const std::string settings = read_image_text(image, kSettingsEntry);
+  const std::string settings = read_entry(image, kSettingsEntry);
   if (settings.empty()) {
     throw input_error(image.string(), "carries no parameters in its metadata",
                       "give an image that `inkbench render` or a study's cells/ folder holds");
@@ -43,10 +50,9 @@ ImageOrigin read_origin(const std::filesystem::path& image) {
   ImageOrigin origin;
   origin.settings = parse_settings(settings, image.string() + " (metadata)", "/");
   origin.buffer =
-      parse_buffers({read_image_text(image, std::string(kBufferEntry))}, image.string() + " (metadata)")
-          .front();
-  origin.version = read_image_text(image, kVersionEntry);
-  origin.files = used_files_from(read_image_text(image, kFilesEntry));
+      parse_buffers({read_entry(image, std::string(kBufferEntry))}, image.string() + " (metadata)").front();
+  origin.version = read_entry(image, kVersionEntry);
+  origin.files = used_files_from(read_entry(image, kFilesEntry));
   return origin;
 }
 
@@ -63,15 +69,17 @@ std::vector<std::string> notes_on_changed_files(const fs::path& image, const Ima
 
 void write_buffer(const Frame& frame, BufferName buffer, const fs::path& path) {
   const std::string format = path.extension().string();
-  if (format == ".svg" && buffer == BufferName::reference) {
-    write_file_atomically(path, reference_svg(*frame.value<ReferencePass>()));
+  if (format == ".svg" && is_of_lines(buffer)) {
+    write_file_atomically(path, vector_text(frame, buffer));
+  } else if (format == ".pdf" && is_of_lines(buffer)) {
+    write_file_atomically(path, pdf_of(vector_text(frame, buffer)));
   } else if (format == ".exr") {
     write_exr(path, frame.raw(buffer), export_text(frame.settings(), buffer, frame.used_files()));
   } else if (format == ".png") {
     write_png(path, frame.picture(buffer), export_text(frame.settings(), buffer, frame.used_files()));
   } else {
     throw input_error(path.string(), "is no name for an image of " + std::string(name_of(buffer)),
-                      "end it in .png or .exr, or .svg for reference");
+                      "end it in .png or .exr, or .svg or .pdf for reference, curves and strokes");
   }
 }
 

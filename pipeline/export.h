@@ -40,10 +40,10 @@ bool has_origin(const std::filesystem::path& image);
 /// Errors (input): not an image, or one without our metadata.
 ImageOrigin read_origin(const std::filesystem::path& image);
 
-/// Writes the frame's buffer as an image file, by the path's ending: `.png` is its picture, `.exr` its raw
-/// values,
-/// `.svg` the lines of `reference`. Errors (input): another ending, `.svg` of another buffer; as
-/// `Frame::picture`; (work): the file cannot be written.
+/// Writes the frame's buffer as a file, by the path's ending: `.png` is its picture, `.exr` its raw values,
+/// `.svg` and `.pdf` the lines of `reference`, `curves` or `strokes`. Errors (input): another ending, `.svg`
+/// or `.pdf` of another buffer; as `Frame::picture`; (work): the file cannot be written, there is no
+/// rsvg-convert for a `.pdf`.
 void write_buffer(const Frame& frame, BufferName buffer, const std::filesystem::path& path);
 
 }  // namespace inkbench

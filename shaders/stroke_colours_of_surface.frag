@@ -39,5 +39,5 @@ vec3 surface_colour(ivec2 at) {
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  colour = over_white(at, surface_colour(at), true);
+  colour = over_white(at, surface_colour(at) * (1.0 - look.darken));
 }

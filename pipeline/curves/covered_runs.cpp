@@ -90,16 +90,22 @@ class CurveMaker {
  private:
   /// Places at which lines end that others go through or end at, too.
   void find_junctions() {
-    std::unordered_set<uint64_t> ends;
+    std::vector<uint64_t> ends;
     for (const ViewLine& line : lines_) {
       if (line.is_closed) continue;
       for (const LinePoint* point : {&line.points.front(), &line.points.back()}) {
-        if (point->place != 0 && !ends.insert(point->place).second) junctions_.insert(point->place);
+        if (point->place != 0) ends.push_back(point->place);
       }
+    }
+    std::sort(ends.begin(), ends.end());
+    for (size_t i = 1; i < ends.size(); ++i) {
+      if (ends[i] == ends[i - 1]) junctions_.insert(ends[i]);
     }
     for (const ViewLine& line : lines_) {
       for (size_t i = line.is_closed ? 0 : 1; i + 1 < line.points.size(); ++i) {
-        if (ends.contains(line.points[i].place)) junctions_.insert(line.points[i].place);
+        const LinePoint& point = line.points[i];
+        if (point.place != 0 && std::binary_search(ends.begin(), ends.end(), point.place))
+          junctions_.insert(point.place);
       }
     }
   }

@@ -45,11 +45,17 @@ Sample sample_on(const ViewLine& line, uint32_t step, double along) {
   return sample;
 }
 
+/// A few of them, which take no memory of their own.
+struct Samples {
+  std::array<Sample, kMostRays> list;
+  size_t count = 0;
+};
+
 /// In the middles of equal shares of the part's length.
-std::vector<Sample> samples_of(const ViewEdge& edge, const ViewLine& line) {
+Samples samples_of(const ViewEdge& edge, const ViewLine& line) {
   const auto wanted = static_cast<size_t>(edge.length_px / kPxPerRay);
   const size_t count = edge.length_px < kOneRayPx ? 1 : std::clamp<size_t>(wanted | 1U, 3, kMostRays);
-  std::vector<Sample> samples;
+  Samples samples;
   double before = 0.0;
   uint32_t step = edge.from;
   for (size_t i = 0; i < count; ++i) {
@@ -60,7 +66,8 @@ std::vector<Sample> samples_of(const ViewEdge& edge, const ViewLine& line) {
       ++step;
       length = step_px(line.points[step], line.points[step + 1]);
     }
-    samples.push_back(sample_on(line, step, length > 0.0 ? std::min((at - before) / length, 1.0) : 0.5));
+    samples.list[samples.count++] =
+        sample_on(line, step, length > 0.0 ? std::min((at - before) / length, 1.0) : 0.5);
   }
   return samples;
 }
@@ -105,29 +112,30 @@ struct Vote {
   bool is_majority = false;
 };
 
-/// Asks `ask(i)` in order, until more than half of `count` say the same: the median of all is that.
+/// Asks `ask(i)` in order, until more than half of `count`, at most `kMostRays`, say the same: the median of
+/// all is that.
 template <class Ask>
 Vote vote(size_t count, const Ask& ask) {
-  std::vector<int> votes;
+  std::array<int, kMostRays> votes{};
   for (size_t i = 0; i < count; ++i) {
-    votes.push_back(ask(i));
-    const auto same = std::count(votes.begin(), votes.end(), votes.back());
-    if (2 * static_cast<size_t>(same) > count) return {votes.back(), true};
+    votes[i] = ask(i);
+    const auto same = std::count(votes.data(), votes.data() + i + 1, votes[i]);
+    if (2 * static_cast<size_t>(same) > count) return {votes[i], true};
   }
-  std::sort(votes.begin(), votes.end());
+  std::sort(votes.data(), votes.data() + count);
   return {votes[count / 2], false};
 }
 
 void decide(ViewEdge& edge, const ViewLine& line, const Covering& covering) {
-  const std::vector<Sample> samples = samples_of(edge, line);
+  const Samples samples = samples_of(edge, line);
   const Vote covered =
-      vote(samples.size(), [&](size_t i) { return covering.surfaces_before(samples[i].world); });
+      vote(samples.count, [&](size_t i) { return covering.surfaces_before(samples.list[i].world); });
   edge.covered = covered.median;
   edge.is_doubtful = !covered.is_majority;
   if (edge.covered > 0 || !line.covers) return;
-  const std::array<size_t, 3> places{samples.size() / 2, 0, samples.size() - 1};
-  const Vote behind = vote(std::min(samples.size(), places.size()), [&](size_t i) {
-    return static_cast<int>(behind_at(samples[places[i]], line, covering));
+  const std::array<size_t, 3> places{samples.count / 2, 0, samples.count - 1};
+  const Vote behind = vote(std::min(samples.count, places.size()), [&](size_t i) {
+    return static_cast<int>(behind_at(samples.list[places[i]], line, covering));
   });
   edge.behind = static_cast<Behind>(behind.median);
 }

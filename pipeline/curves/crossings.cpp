@@ -146,7 +146,8 @@ class Splitter {
   const LinePoint& to(const Step& step) const { return lines_[step.line].points[step.at + 1]; }
 
   void find_on(const Step& step, Found& found) const {
-    std::vector<uint32_t> near;
+    thread_local std::vector<uint32_t> near;  // so that a step allocates nothing
+    near.clear();
     grid_.each_near(from(step).pixel, to(step).pixel, [&](uint32_t number) { near.push_back(number); });
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
@@ -156,17 +157,15 @@ class Splitter {
 
   void meet(const Step& step, const Step& other, Found& found) const {
     if (step.line == other.line && (step.at == other.at || neighbours(step, other))) return;
-    if (lines_[step.line].model == lines_[other.line].model) {
-      // What shares a point of the surface meets there, whatever rounding says.
-      bool shared = false;
-      for (size_t end = 0; end < 2; ++end) {
-        const uint64_t place = (end == 0 ? from(step) : to(step)).place;
-        if (place == 0 || (place != from(other).place && place != to(other).place)) continue;
-        if (!found.at_end[end]) found.at_end[end] = CurveEnd::junction;
-        shared = true;
-      }
-      if (shared) return;
+    // What shares a point of a surface meets there, whatever rounding says.
+    bool shared = false;
+    for (size_t end = 0; end < 2; ++end) {
+      const uint64_t place = (end == 0 ? from(step) : to(step)).place;
+      if (place == 0 || (place != from(other).place && place != to(other).place)) continue;
+      if (!found.at_end[end]) found.at_end[end] = CurveEnd::junction;
+      shared = true;
     }
+    if (shared) return;
     const std::optional<Meeting> meeting =
         meeting_of(glm::dvec2(from(step).pixel), glm::dvec2(to(step).pixel), glm::dvec2(from(other).pixel),
                    glm::dvec2(to(other).pixel));
@@ -205,8 +204,13 @@ class Splitter {
   }
 
   static void put_points(ViewLine& line, std::span<const Found> found) {
+    size_t added = 0;
+    for (const Found& on_step : found) added += on_step.places.size();
+    if (added == 0) return;
     std::vector<LinePoint> points;
     std::vector<LineStep> steps;
+    points.reserve(line.points.size() + added);
+    steps.reserve(line.steps.size() + added);
     for (size_t at = 0; at < line.steps.size(); ++at) {
       const LinePoint& a = line.points[at];
       const LinePoint& b = line.points[at + 1];

@@ -45,7 +45,7 @@ std::vector<ModelCuts> CurveFinder::make_cuts(const CurveRequest& request,
           const glm::dmat4 second_to_first =
               glm::inverse(glm::dmat4(request.models[i].to_world)) * glm::dmat4(request.models[j].to_world);
           cuts_.emplace(key,
-                        cut_surfaces(first.faces(), sources_.at(placed[j].key)->faces(), second_to_first));
+                        cut_surfaces(first.to_cut(), sources_.at(placed[j].key)->to_cut(), second_to_first));
         }
         used.insert(key);
         cuts.push_back({static_cast<int>(i), static_cast<int>(j), &cuts_.at(key)});

@@ -35,7 +35,11 @@ CurveSource::CurveSource(const Mesh& mesh, const CurvesParams& params, const glm
       boundaries_(boundary_edges(topology_, params.crease_angle)),
       creases_(crease_edges(topology_, params.crease_angle, stretch)),
       stretch_(stretch) {
-  if (params.intersection) own_cuts_ = cut_with_itself(faces_);
+  drawn_edges_.assign(topology_.edges.size(), 0);
+  for (const auto& edges : {boundaries_, creases_}) {
+    for (const uint32_t edge : edges) drawn_edges_[edge] = 1;
+  }
+  if (params.intersection) own_cuts_ = cut_with_itself(to_cut());
   if (!needs_surface(params)) return;
   surface_ = std::make_unique<SmoothSurface>(
       make_smooth_surface(topology_, params.crease_angle, params.smoothing, stretch));

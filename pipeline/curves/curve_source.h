@@ -44,6 +44,7 @@ class CurveSource {
   const std::vector<uint32_t>& boundaries() const { return boundaries_; }
   const std::vector<uint32_t>& creases() const { return creases_; }
   const SurfaceCuts& own_cuts() const { return own_cuts_; }
+  CutMesh to_cut() const { return {&faces_, &drawn_edges_}; }
 
   /// The smooth surface, where the parameters ask for lines of it, stretched; else null.
   const SmoothSurface* surface() const { return surface_.get(); }
@@ -61,6 +62,7 @@ class CurveSource {
   FaceRings rings_;
   EdgeSilhouettes silhouettes_;
   std::vector<uint32_t> boundaries_, creases_;
+  std::vector<uint8_t> drawn_edges_;  ///< 1 for boundaries and creases.
   SurfaceCuts own_cuts_;
   glm::dmat3 stretch_;
   std::unique_ptr<SmoothSurface> surface_;

@@ -2,6 +2,8 @@
 #include "pipeline/curves/model_lines.h"
 
 #include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <iterator>
 
@@ -90,6 +92,18 @@ class EdgeLines {
   std::vector<ViewLine> lines_;
 };
 
+/// A face's height over its longest side, in the world.
+double height_of(const CurveModel& model, uint32_t face) {
+  const MeshTopology& topology = model.source->topology();
+  std::array<glm::dvec3, 3> corners;
+  for (size_t i = 0; i < 3; ++i) corners[i] = in_world(model, topology.positions[topology.faces[face][i]]);
+  const double twice_area = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const double longest =
+      std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                glm::distance(corners[2], corners[0])});
+  return longest > 0.0 ? twice_area / longest : 0.0;
+}
+
 Viewpoint viewpoint_in(const CurveModel& model, const CurveView& view) {
   const Viewpoint eye = view.viewpoint();
   if (eye.is_at_infinity()) return eye.in(glm::dmat3(model.to_mesh));
@@ -176,6 +190,8 @@ std::vector<ViewLine> surface_lines(const CurveModel& model, int index, const Cu
         added.place = crossing_place(model, line_class, found.crossings[i]);
     }
     line.steps.resize(found.points.size() - 1);
+    if (!line.follows) return;
+    for (size_t i = 0; i < line.steps.size(); ++i) line.steps[i].across = height_of(model, found.faces[i]);
   };
   if (params.silhouette == SilhouetteKind::smooth) {
     for (const SurfaceLine& line : source.smooth_silhouettes().find(surface, eye))

@@ -11,8 +11,8 @@
 namespace inkbench {
 namespace {
 
-/// Surfaces that lie no more than so many edges before a line may be the ones that it runs on.
-constexpr double kApartEdges = 3.0;
+/// Surfaces that lie no more than so many faces' heights before a line may be the ones that it runs on.
+constexpr double kApartFaces = 3.0;
 
 double squared(const glm::dvec3& vector) {
   return glm::dot(vector, vector);
@@ -47,7 +47,6 @@ class Steps {
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     uint32_t part = 0;
-    double length = 0.0;  ///< Of the step.
   };
   Nearest nearest(const glm::dvec3& point) const {
     Nearest found;
@@ -58,7 +57,7 @@ class Steps {
                  const double distance = squared_distance(a, b, point);
                  if (distance > least || (distance == least && part_of_[step] >= found.part)) return;
                  least = distance;
-                 found = {std::sqrt(distance), part_of_[step], glm::distance(a, b)};
+                 found = {std::sqrt(distance), part_of_[step]};
                });
     return found;
   }
@@ -98,10 +97,10 @@ void follow_silhouettes(std::span<ViewEdge> edges, const std::vector<ViewLine>& 
     const glm::dvec3 middle = 0.5 * (line.points[edges[i].from].world + line.points[edges[i].to].world);
     const Steps::Nearest visible = silhouettes.visible.nearest(middle);
     const Steps::Nearest hidden = silhouettes.hidden.nearest(middle);
-    const double edge_length = std::max(visible.length, hidden.length);
-    const bool is_visible = visible.distance <= hidden.distance ||
-                            (visible.distance <= hidden.distance + edge_length &&
-                             covering.surfaces_before(middle, kApartEdges * edge_length) == 0);
+    const double across = line.steps[edges[i].from].across;
+    const bool is_visible =
+        visible.distance <= hidden.distance || (visible.distance <= hidden.distance + across &&
+                                                covering.surfaces_before(middle, kApartFaces * across) == 0);
     const Steps::Nearest& nearest = is_visible ? visible : hidden;
     if (std::isinf(nearest.distance)) return;
     edges[i].covered = edges[nearest.part].covered;

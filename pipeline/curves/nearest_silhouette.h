@@ -13,8 +13,9 @@ namespace inkbench {
 
 /// Decides the parts of lines that follow (`ViewLine::follows`) by the line that covers, of the same model,
 /// nearest in the world. A mesh's outline runs to and fro, and half of it is often hidden: where a visible
-/// one lies no more than an edge farther than the nearest, a ray decides, to which surfaces do not count that
-/// are no more than a few edges before the line. Those of models without silhouettes stay visible.
+/// one lies no more than a face's height farther than the nearest, a ray decides, to which surfaces do not
+/// count that are no more than three of them before the line. Those of models without silhouettes stay
+/// visible.
 void follow_silhouettes(std::span<ViewEdge> edges, const std::vector<ViewLine>& lines,
                         const Covering& covering);
 

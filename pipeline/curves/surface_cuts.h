@@ -25,13 +25,19 @@ struct SurfaceCuts {
   std::vector<Link> pieces;  ///< Between piercings; each runs through one face of each mesh.
 };
 
-/// `second_to_first` leads from the second mesh's space to the first's. A point that is no farther than
-/// `TriangleTree::on_plane` from a face's plane counts as being in front of it, so that surfaces that only
-/// touch do not cut. Pieces along an edge are left out. The order depends on the meshes alone.
-SurfaceCuts cut_surfaces(const TriangleTree& first, const TriangleTree& second,
-                         const glm::dmat4& second_to_first);
+/// A mesh to cut, and which of its edges are lines of their own.
+struct CutMesh {
+  const TriangleTree* tree = nullptr;
+  const std::vector<uint8_t>* drawn_edges = nullptr;  ///< By edge: not 0 for boundaries and creases.
+};
+
+/// `second_to_first` leads from the second mesh's space to the first's. The second mesh is moved by a tenth
+/// of `TriangleTree::on_plane` in a direction that no mesh has, so that no point lies in a face's plane.
+/// Pieces that run along a drawn edge within `on_plane` are left out: there is a line already, and surfaces
+/// that only touch have no others. The order depends on the meshes alone.
+SurfaceCuts cut_surfaces(const CutMesh& first, const CutMesh& second, const glm::dmat4& second_to_first);
 
 /// Of a mesh with itself. Faces that share a point are not cut with each other.
-SurfaceCuts cut_with_itself(const TriangleTree& mesh);
+SurfaceCuts cut_with_itself(const CutMesh& mesh);
 
 }  // namespace inkbench

@@ -59,7 +59,7 @@ bool holds_origin(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 }  // namespace
 
 TriangleTree::TriangleTree(const MeshTopology& topology)
-    : topology_(&topology), tree_(boxes_of(topology)), wide_(tree_) {
+    : topology_(&topology), tree_(boxes_of(topology), 1), wide_(tree_) {
   if (tree_.nodes().empty()) return;
   on_plane_ = kOnPlaneShare * glm::length(glm::dvec3(tree_.nodes()[0].box.size()));
 }

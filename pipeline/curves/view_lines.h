@@ -29,6 +29,7 @@ double along_in_world(const LinePoint& a, const LinePoint& b, double along_in_im
 /// What a step of a line, from one point to the next, lies on.
 struct LineStep {
   uint32_t edge = kNone;  ///< Of the model's topology, of lines along edges.
+  double across = 0.0;    ///< Of lines that follow: the face's height over its longest side, world units.
   static constexpr uint32_t kNone = ~0U;
 };
 

@@ -29,8 +29,9 @@ float bridge_cost(const PathEnd& a, const PathEnd& b, float longest_px) {
   return length + longest_px * (1.0F - agree);
 }
 
-/// From the end of the path to `to`, arriving in the direction `arriving`: a cubic, a point every pixel.
-void draw_over_gap(StrokePath& path, const PathPoint& to, const glm::vec2& arriving) {
+/// From the end of the path to `to`, which may be one of its own, arriving in the direction `arriving`: a
+/// cubic, a point every pixel.
+void draw_over_gap(StrokePath& path, PathPoint to, const glm::vec2& arriving) {
   const PathPoint from = path.points.back();
   const float length = glm::distance(from.at, to.at);
   const glm::vec2 leaving = end_of(path, 1).outwards;
@@ -66,12 +67,16 @@ void put_behind_gap(StrokePath& path, const StrokePath& next) {
 
 std::vector<StrokePath> bridge_gaps(const std::vector<StrokePath>& paths, float longest_px) {
   if (!(longest_px > 0.0F)) return paths;
-  const auto cost = [&](const PathEnd& a, const PathEnd& b) {
+  const auto cost_of = [&](const PathEnd& a, const PathEnd& b) {
     // A path that is hardly longer than the gap is no loop.
     if (a.path() == b.path() && length_px(paths[a.path()]) < 3.0F * longest_px) return -1.0F;
-    return bridge_cost(a, b, longest_px);
+    const float cost = bridge_cost(a, b, longest_px);
+    if (cost < 0.0F) return cost;
+    // What is hardly longer than the gap says little about where the line goes.
+    const float shorter = std::min(length_px(paths[a.path()]), length_px(paths[b.path()]));
+    return cost + longest_px * std::max(1.0F - 0.5F * shorter / longest_px, 0.0F);
   };
-  return linked(paths, links_between(paths, longest_px, cost), put_behind_gap, [](StrokePath& path) {
+  return linked(paths, links_between(paths, longest_px, cost_of), put_behind_gap, [](StrokePath& path) {
     draw_over_gap(path, path.points.front(), -end_of(path, 0).outwards);
     close_path(path);
   });

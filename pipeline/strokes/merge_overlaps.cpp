@@ -11,7 +11,7 @@
 namespace inkbench {
 namespace {
 
-constexpr float kNearPx = 1.5F;
+constexpr float kNearPx = 2.0F;
 constexpr float kMostOverlapPx = 20.0F;
 constexpr float kLeastAgreement = 0.7071F;
 /// What a link adds to each of both paths at least.
@@ -64,7 +64,7 @@ Overlap overlap_of(const StrokePath& a, bool a_at_start, const StrokePath& b, bo
 /// Direction out of the path where it is so far from its end.
 glm::vec2 direction_out(const StrokePath& path, bool at_start, float from_end_px) {
   const float end = at_start ? path.points.front().along_px : path.points.back().along_px;
-  const glm::vec2 along = direction_at(path, at_start ? end + from_end_px : end - from_end_px, 3.0F);
+  const glm::vec2 along = direction_at(path, at_start ? end + from_end_px : end - from_end_px, 6.0F);
   return at_start ? -along : along;
 }
 

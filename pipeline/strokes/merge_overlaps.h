@@ -11,7 +11,7 @@
 namespace inkbench {
 
 /// Of outlines (silhouettes, boundaries, and against other objects) of one object, hidden or not: two become
-/// one where each ends within 1.5 px of the other and both go the same way there, by 45 degrees at most; over
+/// one where each ends within 2 px of the other and both go the same way there, by 45 degrees at most; over
 /// the part that both have (20 px at most) the path goes over from the first to the second. Short pieces (of
 /// up to 12 px) along a longer path are left out.
 std::vector<StrokePath> merge_overlaps(const std::vector<StrokePath>& paths);

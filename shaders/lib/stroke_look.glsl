@@ -10,17 +10,17 @@ layout(std140) uniform stroke_look_block {
   float reach_px;  // so far a surface gives a stroke beside it its colour
 } look;
 
-// Over white. Where classes overlap the earlier one is on top; together they hide as much as the one that hides most, so
-// that what goes over from class to class shows no seam. `surface`: a colour for all, where `is_of_surface`.
-vec4 over_white(ivec2 at, vec3 surface, bool is_of_surface) {
-  vec4 shares[3] = vec4[3](texelFetch(first_classes, at, 0), texelFetch(next_classes, at, 0), texelFetch(last_classes, at, 0));
-  vec3 colour = vec3(0.0);
-  float hidden = 0.0;
-  for (int i = 0; i < 12; ++i) {
-    float share = shares[i / 4][i % 4] * look.of_class[i].a;
-    float added = max(share - hidden, 0.0);
-    colour += added * (is_of_surface ? surface * (1.0 - look.darken) : look.of_class[i].rgb);
-    hidden += added;
-  }
-  return vec4(colour + 1.0 - hidden, hidden);
+// Classes together hide as much as the one that hides most, so that what goes over from class to class shows no seam.
+float hidden_at(ivec2 at) {
+  vec4 first = texelFetch(first_classes, at, 0) * vec4(look.of_class[0].a, look.of_class[1].a, look.of_class[2].a, look.of_class[3].a);
+  vec4 next = texelFetch(next_classes, at, 0) * vec4(look.of_class[4].a, look.of_class[5].a, look.of_class[6].a, look.of_class[7].a);
+  vec4 last = texelFetch(last_classes, at, 0) * vec4(look.of_class[8].a, look.of_class[9].a, look.of_class[10].a, look.of_class[11].a);
+  vec4 most = max(max(first, next), last);
+  return max(max(most.x, most.y), max(most.z, most.w));
+}
+
+// In one colour, over white.
+vec4 over_white(ivec2 at, vec3 colour) {
+  float hidden = hidden_at(at);
+  return vec4(hidden * colour + 1.0 - hidden, hidden);
 }

@@ -191,6 +191,8 @@ TEST_F(AppStudy, sweep_is_saved_as_a_spec_that_the_command_line_runs_unchanged) 
   EXPECT_EQ(form["axes"][0]["to"], 0.012);
   type_over("axis 0 count", "3");
   wait_for("the count", [](const Json& now) { return now["studies"]["form"]["cells"] == 3; });
+  input({"click", "--repeat", "30", "--delay", "20",
+         "5"});  // the mouse wheel: the page is longer than the window
   fill_in("study Folder", file("specs").string());
   wait_for("the reason", [](const Json& now) { return now["studies"]["form"]["problem"] != ""; });
   click("run study");

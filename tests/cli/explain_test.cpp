@@ -94,7 +94,7 @@ TEST_F(Explain, refuses_what_is_no_pixel) {
 TEST_F(Explain, passes_are_listed_with_what_they_take) {
   const CommandResult graph = inkbench({"passes", "--format", "dot"});
   EXPECT_THAT(graph.out, AllOf(StartsWith("digraph"), HasSubstr("gradient -> range;"),
-                               HasSubstr("p_combine -> combine"), HasSubstr("ink -> b_final;")));
+                               HasSubstr("p_combine -> combine"), HasSubstr("final -> b_final;")));
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ TEST_F(Render, all_buffers_have_the_size_and_channels_they_promise) {
         name == "normal" || name == "shaded" || name == "final" || name == "blinn_phong" || name == "albedo";
     EXPECT_EQ(png.channels, 3) << name;
     const bool is_pair = name == "motion" || name == "pair_angles" || name == "pair_gaps";
-    EXPECT_EQ(exr.channels, is_colour ? 3 : is_pair ? 2 : 1) << name;
+    const bool is_over_white = name == "curves" || name == "strokes";
+    EXPECT_EQ(exr.channels, is_colour ? 3 : is_over_white ? 4 : is_pair ? 2 : 1) << name;
     for (const Image& image : {png, exr}) {
       EXPECT_EQ(image.width_px, 64) << name;
       EXPECT_EQ(image.height_px, 48) << name;
@@ -121,7 +122,7 @@ TEST_F(Render, picture_is_the_raw_value_times_the_gain) {
     const Image exr = read_image(file("exr/" + name + ".exr"));
     const float gain = gains.contains(name) ? gains.at(name) : 1.0F;
     for (size_t i = 0; i < png.samples.size(); ++i) {
-      const float value = exr.samples[exr.channels == 3 ? i : i / 3];
+      const float value = exr.samples[exr.channels < 3 ? i / 3 : i / 3 * exr.channels + i % 3];
       const float expected = std::round(std::clamp(value * gain, 0.0F, 1.0F) * 255.0F);
       ASSERT_NEAR(png.samples[i], expected, 1.0F) << name << " sample " << i;
     }
@@ -202,6 +203,25 @@ TEST_F(Render, set_overrides_size_wherever_it_stands) {
   EXPECT_EQ(picture("a/final.png").width_px, 30);
   EXPECT_EQ(picture("a/final.png").height_px, 10);
   EXPECT_EQ(folder_content(file("a")), folder_content(file("b")));
+}
+
+TEST_F(Render, a_style_draws_strokes_and_set_changes_them) {
+  ASSERT_TRUE(succeeds(render("a", {"--style", "pencil"})));
+  ASSERT_TRUE(succeeds(render("b", {"--style", "pencil", "--set", "stroke.width=6"})));
+  ASSERT_TRUE(succeeds(render("c", {"--set", "stroke.width=6", "--style", "pencil"})));
+  EXPECT_NE(picture("a/final.png"), picture("b/final.png"));
+  EXPECT_EQ(picture("b/final.png"), picture("c/final.png"));
+}
+
+TEST_F(Render, a_misspelt_style_suggests_the_nearest) {
+  EXPECT_TRUE(
+      is_input_error(render("out", {"--style", "pensil"}), {"--style", "pensil", "did you mean 'pencil'?"}));
+}
+
+TEST_F(Render, an_image_in_a_style_is_made_again_from_itself) {
+  ASSERT_TRUE(succeeds(render("a", {"--style", "charcoal"})));
+  ASSERT_TRUE(succeeds(inkbench({"render", "--from", "a/final.png", "--out", "b"})));
+  EXPECT_EQ(picture("a/final.png"), picture("b/final.png"));
 }
 
 TEST_F(Render, the_last_set_of_a_key_wins) {

@@ -122,6 +122,29 @@ TEST(Keys, placing_width_and_look_are_steps_of_their_own) {
   EXPECT_EQ(passes([](Settings& s) { s.combine.k_depth *= 2.0F; }), Names{}) << "another method's";
 }
 
+TEST(Keys, a_strokes_course_width_paint_and_colour_are_steps_of_their_own) {
+  Settings settings = small_scene();
+  settings.ink.from = InkFrom::strokes;
+  const auto passes = [&](const std::function<void(Settings&)>& change) {
+    Pipeline pipeline;
+    pipeline.at(settings).raw(BufferName::final);
+    Settings changed = settings;
+    change(changed);
+    return passes_run_by(pipeline, [&] { pipeline.at(changed).raw(BufferName::final); });
+  };
+  const Names coloured{"stroke_colours", "strokes_over"};
+  Names painted = coloured, stroked;
+  painted.insert("stroke_paint");
+  stroked = painted;
+  stroked.insert("strokes");
+  EXPECT_EQ(passes([](Settings& s) { s.ink.colour.x = 0.5F; }), coloured);
+  EXPECT_EQ(passes([](Settings& s) { s.stroke.opacity = 0.5F; }), coloured);
+  EXPECT_EQ(passes([](Settings& s) { s.stroke.brush = Brush::pencil; }), painted);
+  EXPECT_EQ(passes([](Settings& s) { s.stroke.width = 5.0F; }), stroked);
+  EXPECT_EQ(passes([](Settings& s) { s.stroke.grain = 0.1F; }), Names{}) << "a solid brush has none";
+  EXPECT_EQ(passes([](Settings& s) { s.combine.k_depth *= 2.0F; }), Names{}) << "the filter's";
+}
+
 TEST(Keys, the_papers_method_has_nothing_to_do_with_the_others_parameters) {
   EXPECT_EQ(passes_after([](Settings& s) {
               s.line.width = 4.0F;
@@ -153,6 +176,10 @@ TEST(Keys, each_buffer_alone_computes_only_what_it_needs) {
       {BufferName::pair_gaps, {"meshes", "gbuffer", "pairs"}},
       {BufferName::shaded, {"meshes", "gbuffer", "shade"}},
       {BufferName::blinn_phong, {"meshes", "gbuffer", "blinn_phong"}},
+      {BufferName::curves,
+       {"meshes", "object_curves", "curves", "curve_lines", "curve_paint", "curve_colours"}},
+      {BufferName::strokes,
+       {"meshes", "object_curves", "curves", "strokes", "stroke_paint", "stroke_colours"}},
       {BufferName::final, with_meshes(kFloatChain)}};
   ASSERT_EQ(needs.size(), framebuffers().size());
   for (const auto& [buffer, expected] : needs) {
@@ -167,7 +194,9 @@ TEST(Keys, all_buffers_together_run_each_pass_once) {
   Pipeline pipeline;
   Names expected = with_meshes(kFloatChain);
   expected.insert({"blinn_phong", "lines", "paper_strength", "edge_tiles", "edge_class", "motion",
-                   "visible_range", "visible_depth", "albedo", "pairs"});
+                   "visible_range", "visible_depth", "albedo", "pairs", "object_curves", "curves",
+                   "curve_lines", "curve_paint", "curve_colours", "strokes", "stroke_paint",
+                   "stroke_colours"});
   EXPECT_EQ(passes_run_by(pipeline,
                           [&] {
                             for (const BufferName buffer : framebuffers())

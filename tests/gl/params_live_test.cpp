@@ -253,6 +253,8 @@ class ParamsLive : public testing::Test {
   }
   /// Lines of the smooth surface are there only when asked for, and some classes only in traced lines.
   static void bring_out_strokes(const std::string& key, Settings& settings) {
+    if (key == "curves.smoothing" || key == "curves.weak_share" || key == "curves.shortest")
+      settings.curves.suggestive = settings.curves.ridge = true;
     if (key == "stroke.tip") settings.stroke.taper_in = 20.0F;
     if (key == "stroke.seed") settings.stroke.wobble = 2.0F;
     if (key == "stroke.bridge") settings.curves.from = CurvesFrom::image;
@@ -269,10 +271,22 @@ class ParamsLive : public testing::Test {
     settings.mitchell.use_ids = of_class != "material";
     settings.image = {448, 336, Precision::float32};  // runs of a few pixels are no class of their own
   }
+  /// Lines of smooth surfaces are on fine meshes alone.
+  static bool is_of_smooth_lines(const std::string& key) {
+    for (const char* name :
+         {"suggestive", "ridge", "valley", "apparent", "smoothing", "weak_share", "shortest"}) {
+      const std::string part(name);
+      if (key.starts_with("curves." + part)) return true;
+      if (key.starts_with("stroke." + part) && key.find('.', 7) != std::string::npos) return true;
+    }
+    return false;
+  }
+  const Settings& scene_for(const std::string& key) const {
+    return key.starts_with("judge.") || is_of_smooth_lines(key) ? judged_ : rich_;
+  }
   bool is_live(const std::string& key) {
     if (key == "stroke.coherent") return is_live_in_films(key);
-    for (const Settings& arranged :
-         bringing_out(key, arrangements(key.starts_with("judge.") ? judged_ : rich_, key))) {
+    for (const Settings& arranged : bringing_out(key, arrangements(scene_for(key), key))) {
       for (const Settings& after : all_changes(arranged, key)) {
         const bool live = key.starts_with("judge.") ? judge_is_live(arranged, after)
                           : key.starts_with("display.") || key == "image.supersample"

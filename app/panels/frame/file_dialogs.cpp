@@ -17,6 +17,7 @@
 #include "pipeline/export.h"
 #include "pipeline/mesh/formats/mesh_file.h"
 #include "pipeline/settings/settings_file.h"
+#include "pipeline/vector_export.h"
 
 namespace inkbench {
 namespace {
@@ -64,9 +65,9 @@ ChooserQuestion image_question(const ComparedPicture& picture, const fs::path& f
   return {.title = picture.pinned ? "Save a picture of the pinned state" : "Save a picture",
           .help =
               "The bytes that `inkbench render` writes: .png is the picture with the display gains, .exr "
-              "the raw values. Both carry all settings.",
+              "the raw values, which carry all settings; .svg and .pdf are lines as vectors.",
           .button = "Save",
-          .extensions = {".png", ".exr", ".svg"},
+          .extensions = {".png", ".exr", ".svg", ".pdf"},
           .folder = folder,
           .saves = true,
           .name = std::string(name_of(picture.buffer)) + ".png"};
@@ -111,12 +112,13 @@ void FileDialogs::draw_image_choice() {
   }
   if (open) ImGui::EndCombo();
   const std::string ending = lower_extension(chooser_.name());
-  const bool lines = picture_.buffer == BufferName::reference;
-  for (const char* format : {".png", ".exr", ".svg"}) {
-    if (!lines && format == std::string_view(".svg")) continue;
+  const bool lines = is_of_lines(picture_.buffer);
+  for (const std::string_view format : {".png", ".exr", ".svg", ".pdf"}) {
+    if (!lines && (format == ".svg" || format == ".pdf")) continue;
     ImGui::SameLine();
-    if (toggle_button(format + 1, ending == format)) set_image_ending(format);
-    ui_map_.mark_item(std::string("image:") + (format + 1));
+    const std::string name(format.substr(1));
+    if (toggle_button(name.c_str(), ending == format)) set_image_ending(format);
+    ui_map_.mark_item("image:" + name);
   }
 }
 

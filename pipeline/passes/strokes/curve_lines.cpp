@@ -5,6 +5,7 @@
 
 #include "pipeline/flow/describe_pass.h"
 #include "pipeline/passes/curves/curves.h"
+#include "pipeline/strokes/curve_look.h"
 #include "pipeline/strokes/dashes.h"
 
 namespace inkbench {
@@ -18,14 +19,12 @@ constexpr BufferInfo kCurves{.name = "curves",
                              .shown_as = ShownAs::colour,
                              .is_supersampled = true};
 
-constexpr float kWidthPx = 1.5F, kDashPx = 5.0F, kGapPx = 3.0F, kCoveredShare = 0.6F;
-
 Stroke line_of(const Curve& curve) {
   Stroke line{.object_id = curve.object_id, .covered = curve.covered, .is_closed = curve.is_closed()};
   float along = 0.0F;
   for (size_t i = 0; i < curve.points.size(); ++i) {
     if (i > 0) along += glm::distance(curve.points[i - 1], curve.points[i]);
-    line.points.push_back({curve.points[i], 0.5F * kWidthPx, along, curve.curve_class});
+    line.points.push_back({curve.points[i], 0.5F * kCurveWidthPx, along, curve.curve_class});
   }
   line.end_px = along;
   return line;
@@ -73,7 +72,7 @@ Strokes CurveLinesPass::run(const Curves& curves, bool with_hidden) const {
       lines.strokes.push_back(line);
       continue;
     }
-    for (Stroke& dash : dashes_of(line, kDashPx, kGapPx)) lines.strokes.push_back(std::move(dash));
+    for (Stroke& dash : dashes_of(line, kCurveDashPx, kCurveGapPx)) lines.strokes.push_back(std::move(dash));
   }
   return lines;
 }

@@ -28,6 +28,12 @@ struct StrokeLookBlock {
 };
 const UniformBlock kStrokeLookBlock{"stroke_look_block", sizeof(StrokeLookBlock)};
 
+const ProgramInputs kOwnInputs{.samplers = {"first_classes", "next_classes", "last_classes", "tile_map"},
+                               .uniform_blocks = {kStrokeLookBlock, kSquaresBlock}};
+const ProgramInputs kSurfaceInputs{.samplers = {"first_classes", "next_classes", "last_classes", "colour_map",
+                                                "normal_and_depth_map", "object_id_map", "tile_map"},
+                                   .uniform_blocks = {kStrokeLookBlock, kSquaresBlock}};
+
 StrokeLookBlock block_of(const StrokeLook& look) {
   StrokeLookBlock block{};
   for (size_t i = 0; i < kCurveClasses; ++i) {
@@ -75,6 +81,10 @@ struct StrokeLookInput {
 
 }  // namespace
 
+float surface_reach_px(float widest_px) {
+  return std::clamp(0.5F * widest_px + 1.0F, 4.0F, static_cast<float>(kMostColourReachPx));
+}
+
 constinit const BufferName BufferName::strokes{kStrokes};
 
 const PassKind& StrokeColours::kind() {
@@ -86,15 +96,9 @@ const PassKind& StrokeColours::kind() {
 }
 
 StrokeColoursPass::StrokeColoursPass(const GeneratedSources& generated)
-    : own_("tiles.vert", "stroke_colours.frag",
-           {.samplers = {"first_classes", "next_classes", "last_classes", "tile_map"},
-            .uniform_blocks = {kStrokeLookBlock, kSquaresBlock}},
-           generated),
-      of_surface_("tiles.vert", "stroke_colours_of_surface.frag",
-                  {.samplers = {"first_classes", "next_classes", "last_classes", "colour_map",
-                                "normal_and_depth_map", "object_id_map", "tile_map"},
-                   .uniform_blocks = {kStrokeLookBlock, kSquaresBlock}},
-                  generated) {}
+    : in_one_("tiles.vert", "stroke_colours.frag", kOwnInputs, generated),
+      by_class_("tiles.vert", "stroke_colours_by_class.frag", kOwnInputs, generated),
+      of_surface_("tiles.vert", "stroke_colours_of_surface.frag", kSurfaceInputs, generated) {}
 
 Texture StrokeColoursPass::run(const StrokeLook& look, const StrokeChannels& channels, const Texture* albedo,
                                const Texture* shaded, const GBuffer* gbuffer) const {
@@ -102,11 +106,12 @@ Texture StrokeColoursPass::run(const StrokeLook& look, const StrokeChannels& cha
   Texture colours("stroke colours", TextureFormat::rgba32f, first.width_px(), first.height_px());
   constexpr glm::vec4 kNoStroke(1.0F, 1.0F, 1.0F, 0.0F);
   StrokeLookBlock block = block_of(look);
-  block.reach_px = std::clamp(0.5F * channels.widest_px + 1.0F, 4.0F, static_cast<float>(kMostColourReachPx));
+  block.reach_px = surface_reach_px(channels.widest_px);
   const Buffer uniforms = uniform_buffer("stroke look block", block);
   const Texture* surface = albedo != nullptr ? albedo : shaded;
   if (surface == nullptr || gbuffer == nullptr)
-    draw_over_tiles(colours, own_, 0, {&first, &next, &last, &channels.tiles}, {&uniforms}, kNoStroke);
+    draw_over_tiles(colours, look.colour == StrokeColour::by_class ? by_class_ : in_one_, 0,
+                    {&first, &next, &last, &channels.tiles}, {&uniforms}, kNoStroke);
   else
     draw_over_tiles(
         colours, of_surface_, 0,

@@ -22,6 +22,8 @@ struct StrokeLook {
 
 /// No surface farther than this from a pixel gives it its colour.
 inline constexpr int kMostColourReachPx = 32;
+/// And how far that is for strokes that are at most so wide.
+float surface_reach_px(float widest_px);
 
 class StrokeColoursPass {
  public:
@@ -35,10 +37,10 @@ class StrokeColoursPass {
   Texture run(const StrokeLook& look, const StrokeChannels& channels) const {
     return run(look, channels, nullptr, nullptr, nullptr);
   }
-  std::vector<Program*> programs() { return {&own_, &of_surface_}; }
+  std::vector<Program*> programs() { return {&in_one_, &by_class_, &of_surface_}; }
 
  private:
-  Program own_, of_surface_;
+  Program in_one_, by_class_, of_surface_;
 };
 
 /// The strokes of the view.
