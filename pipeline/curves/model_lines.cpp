@@ -14,11 +14,13 @@
 namespace inkbench {
 namespace {
 
-/// At a meeting of several lines those go on that turn less than this; silhouettes always do.
-constexpr double kMaxTurnDeg = 60.0;
-constexpr double kAnyTurnDeg = 180.0;
-
 enum class PlaceKind { vertex, piercing, crossing };
+
+/// Whether a line ends where it starts.
+template <class Points>
+bool is_ring(const Points& points) {
+  return points.size() > 2 && points.front() == points.back();
+}
 
 uint64_t place_id(const CurveModel& model, uint64_t kind, uint64_t index) {
   return (static_cast<uint64_t>(model.object_id) << 52U) | (kind << 48U) |
@@ -45,7 +47,7 @@ class EdgeLines {
       line.model = index_;
       line.covers = covers;
       line.is_drawn = is_drawn;
-      line.is_closed = chain.points.size() > 2 && chain.points.front() == chain.points.back();
+      line.is_closed = is_ring(chain.points);
       line.points.reserve(chain.points.size());
       line.steps.reserve(chain.links.size());
       add_point(line, chain.points[0]);
@@ -182,7 +184,7 @@ std::vector<ViewLine> surface_lines(const CurveModel& model, int index, const Cu
     line.line_class = line_class;
     line.model = index;
     line.follows = line_class == CurveClass::silhouette;
-    line.is_closed = found.points.size() > 2 && found.points.front() == found.points.back();
+    line.is_closed = is_ring(found.points);
     for (size_t i = 0; i < found.points.size(); ++i) {
       LinePoint& added = line.points.emplace_back();
       added.world = in_world(model, unstretch * found.points[i]);
@@ -223,7 +225,7 @@ std::vector<ViewLine> cut_lines(std::span<const CurveModel> models, const ModelC
     ViewLine line;
     line.line_class = CurveClass::intersection;
     line.model = cuts.first;
-    line.is_closed = chain.size() > 2 && chain.front() == chain.back();
+    line.is_closed = is_ring(chain);
     for (const uint32_t point : chain) {
       const Piercing& piercing = cuts.cuts->piercings[point];
       const CurveModel& owner = models[static_cast<size_t>(piercing.mesh == 0 ? cuts.first : cuts.second)];

@@ -41,7 +41,6 @@ class SilhouetteMaker {
   }
 
   std::vector<SurfaceLine> lines() const {
-    constexpr double kAnyTurnDeg = 180.0;
     std::vector<SurfaceLine> lines;
     for (const LinkedChain& chain : linked_chains(points_, links_, kAnyTurnDeg)) {
       SurfaceLine& line = lines.emplace_back();

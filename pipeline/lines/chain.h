@@ -17,6 +17,10 @@ using Link = std::array<uint32_t, 2>;
 /// Points in order, 2 or more; a closed chain repeats its first point at the end.
 using Chain = std::vector<uint32_t>;
 
+/// At a meeting of several lines those go on that turn less than this. Silhouettes always go on: on a closed
+/// mesh an even number meets at each point, and they are closed.
+inline constexpr double kMaxTurnDeg = 60.0, kAnyTurnDeg = 180.0;
+
 /// Where exactly two links meet, a chain goes on. Where more do, the straightest pair goes on, then the
 /// straightest of the rest, as long as the turn is at most `max_turn_deg` (180: any); the others end. Where
 /// more than 32 meet, all end. The order depends on the links' order alone.

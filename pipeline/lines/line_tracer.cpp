@@ -59,7 +59,6 @@ void LineTracer::add_runs(const LinkedChain& chain, double weak, double shortest
 }
 
 std::vector<SurfaceLine> LineTracer::lines(double weak, double shortest) const {
-  constexpr double kMaxTurnDeg = 60.0;
   std::vector<SurfaceLine> lines;
   for (LinkedChain& chain : linked_chains(points_, links_, kMaxTurnDeg)) {
     Chain& nodes = chain.points;

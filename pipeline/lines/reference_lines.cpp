@@ -14,11 +14,6 @@
 namespace inkbench {
 namespace {
 
-/// At a meeting of several boundaries or creases, lines go on that turn less than this.
-constexpr double kMaxTurnDeg = 60.0;
-/// Silhouettes always go on: on a closed mesh an even number meets at each point, and they are closed.
-constexpr double kAnyTurnDeg = 180.0;
-
 /// Both ends of an edge by their coordinates, the smaller first: equal across meshes that share the edge.
 using EdgePlace = std::array<double, 6>;
 
